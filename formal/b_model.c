@@ -125,19 +125,19 @@ void key(struct sph_ray ray, struct sph_facet_result r) {
 
 /* ---- shares, refraction ---- */
 
-void shares(struct sph_shares s, struct sph_look look, int depth, uint32_t weight, uint32_t kr,
-            uint32_t kt, uint32_t ambient, uint32_t lights, uint32_t red, uint32_t green,
-            uint32_t blue) {
+void shares(struct sph_shares s, struct sph_shading shading, int depth, uint32_t weight,
+            uint32_t kr, uint32_t kt, uint32_t ambient, uint32_t lights, uint32_t red,
+            uint32_t green, uint32_t blue) {
     const uint32_t colour[3] = {red, green, blue};
-    ASSUME(weight <= 65536 && kr <= 256 && kt <= 256 && look.ka <= 256 && look.kd <= 256);
+    ASSUME(weight <= 65536 && kr <= 256 && kt <= 256 && shading.ka <= 256 && shading.kd <= 256);
     ASSUME(is_unsigned(ambient, 17) && is_unsigned(lights, 17) && depth >= 0);
     for (int i = 0; i < 3; i++) {
         ASSUME(is_unsigned(colour[i], 16));
         for (int f = 0; f < SPH_FRAMES; f++)
             ASSUME(is_unsigned(s.sum[f][i], 16));
     }
-    ASSERT(is_unsigned(sph_look_light(&look, ambient, lights), 17));
-    uint32_t own = sph_share(weight, sph_look_own(&look, kr, kt));
+    ASSERT(is_unsigned(sph_shading_light(&shading, ambient, lights), 17));
+    uint32_t own = sph_share(weight, sph_shading_own(&shading, kr, kt));
     ASSERT(own <= weight);
     sph_shares_add(&s, depth, weight, own, colour);
     for (int i = 0; i < 3; i++)

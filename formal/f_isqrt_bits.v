@@ -36,9 +36,9 @@ module f_isqrt_bits #(
     (* hierconn *) wire [BITS-1:0] \u_dut.root_q ;
     (* hierconn *) wire [BITS:0]   \u_dut.rem_q ;
     (* hierconn *) wire [BITS-1:0] \u_dut.root_d ;
-    (* hierconn *) wire [5:0]      \u_dut.over_d ;
+    (* hierconn *) wire [5:0]      \u_dut.excess_d ;
     (* hierconn *) wire            \u_dut.done ;
-    (* hierconn *) wire [5:0]      \u_dut.g_cut.over_q ;
+    (* hierconn *) wire [5:0]      \u_dut.g_cut.excess_q ;
     (* hierconn *) wire            \u_dut.g_cut.lost_q ;
 
     // ---- model: the radicand; clocks until its root is there ----
@@ -59,7 +59,7 @@ module f_isqrt_bits #(
     // ---- the bits of x whose digits are there, and those behind ----
     wire [2*RW-1:0] wide   = x_q;
     wire [7:0]      rest   = STEP * \u_dut.count_q ;     // digits of the rounds left
-    wire [7:0]      over   = \u_dut.count_q == ROUNDS ? 0 : \u_dut.g_cut.over_q ;
+    wire [7:0]      over   = \u_dut.count_q == ROUNDS ? 0 : \u_dut.g_cut.excess_q ;
     wire [7:0]      shift  = rest + over;
     wire [SW-1:0]   behind = wide & ~({SW{1'b1}} << (2*shift));
     wire [SW-1:0]   root   = \u_dut.root_q ;
@@ -80,8 +80,8 @@ module f_isqrt_bits #(
         part     = \u_dut.root_q ;
         digit    = 1'b0;
         for (i = STEP - 1; i >= 0; i = i - 1)
-            if (i >= \u_dut.over_d ) begin
-                digit    = \u_dut.root_d [i - \u_dut.over_d ];
+            if (i >= \u_dut.excess_d ) begin
+                digit    = \u_dut.root_d [i - \u_dut.excess_d ];
                 used_d   = {used_d[SW-3:0], next[2*RW-1 -: 2]};
                 square_d = {square_d[SW-3:0], 2'd0} + (digit ? {part, 2'b01} : {SW{1'b0}});
                 next     = next << 2;

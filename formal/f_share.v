@@ -40,7 +40,7 @@ module f_share #(
         .out_light_mirror_o(light_mirror), .out_light_refract_o(light_refract)
     );
 
-    // ---- the model: sph_look_read(), _worth(), _light(), _own(), sph_shares_add() ----
+    // ---- the model: sph_shading_read(), _worth(), _light(), _own(), sph_shares_add() ----
     function [8:0] share(input [8:0] s); share = s[8] ? 9'd256 : s; endfunction
     // a product of a share, a byte or an albedo is below 2^25 - 2^8: 2^17 - 1 times 2^8 at most
     function [16:0] by_256(input [33:0] p); by_256 = ({1'b0, p[24:0]} + 26'd128) >> 8; endfunction

@@ -127,7 +127,7 @@ static void put_prims(void *user, uint32_t first, uint32_t end) {
         struct sph_grid_prim prim = sph_grid_prim_of(p->balls, spheres, p->facets, id);
         uint32_t *line = sph_line(p->m, p->base + id);
         sph_put_prim(p->scene, &prim, line);
-        put_material(line, &p->scene->materials[sph_grid_look(p->scene, &prim).material]);
+        put_material(line, &p->scene->materials[sph_grid_appearance(p->scene, &prim).material]);
         if (id >= spheres)
             sph_put_record(p->scene, &prim, sph_line(p->m, p->base + p->n + id - spheres));
     }

@@ -56,9 +56,9 @@ struct sph_layer sph_layer_of(const struct sph_machine *m, const struct sph_pixe
     double t = (double)pixel->key / (double)ray.a;
     struct sph_machine_camera camera = sph_machine_camera(m);
     layer.depth = (float)ldexp(t * sph_camera_ahead(&camera, ray.dir), m->grid_log2);
-    struct sph_look look = sph_look_read(m, prim);
+    struct sph_shading shading = sph_shading_read(m, prim);
     for (int i = 0; i < 3; i++)
-        layer.albedo[i] = (float)look.rgb[i] / 255;
+        layer.albedo[i] = (float)shading.rgb[i] / 255;
     if (level != SPH_LOD_NONE) layer.level = (float)level / 256;
     return layer;
 }

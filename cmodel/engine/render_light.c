@@ -39,12 +39,12 @@ struct sums {
 
 /* Adds what light l gives. */
 static void add(const struct sph_job *j, const struct sph_ray *ray, const struct sph_ray *to_light,
-                const struct sph_surface *s, const struct sph_look *look, uint32_t cosine,
+                const struct sph_surface *s, const struct sph_shading *shading, uint32_t cosine,
                 const int32_t *rgb, struct sums *sums) {
     uint32_t shine = 0;
-    if (look->ks) {
+    if (shading->ks) {
         uint32_t c = sph_specular_cosine(&s->unit, &to_light->unit, &ray->unit);
-        shine = sph_power(c, look->power);
+        shine = sph_power(c, shading->power);
         j->c->count[SPH_COUNT_POWERS]++;
         SPH_NOTE(j->stages, SPH_STAGE_HIGHLIGHT, 0, shine);
     }
@@ -55,7 +55,7 @@ static void add(const struct sph_job *j, const struct sph_ray *ray, const struct
 }
 
 void sph_job_light(const struct sph_job *j, const struct sph_ray *ray, const struct sph_hit *hit,
-                   const struct sph_surface *s, const struct sph_look *look, uint32_t tint,
+                   const struct sph_surface *s, const struct sph_shading *shading, uint32_t tint,
                    uint32_t colour[3], struct sph_trail *trail) {
     const int32_t *r = j->m->regs;
     struct sums sums = {{0}, {0}};
@@ -75,14 +75,15 @@ void sph_job_light(const struct sph_job *j, const struct sph_ray *ray, const str
         if (!cosine) continue;
         int blocked = sph_machine_effect(j->m, SPH_EFFECT_SHADOW) && sph_job_trace(j, &to).key;
         if (trail) trail->faced |= 1u << l, trail->blocked |= (uint32_t)blocked << l;
-        if (!blocked) add(j, ray, &to, s, look, cosine, lamp + 3, &sums);
+        if (!blocked) add(j, ray, &to, s, shading, cosine, lamp + 3, &sums);
     }
     uint32_t albedo[3];
     for (int i = 0; i < 3; i++) {
-        uint32_t light = sph_look_light(look, (uint32_t)r[SPH_REG_AMBIENT_R + i], sums.matt[i]);
-        albedo[i] = sph_texture_albedo(look->rgb[i], tint >> (8 * i) & 255);
+        uint32_t light =
+            sph_shading_light(shading, (uint32_t)r[SPH_REG_AMBIENT_R + i], sums.matt[i]);
+        albedo[i] = sph_texture_albedo(shading->rgb[i], tint >> (8 * i) & 255);
         uint32_t all =
-            sph_surface_colour(albedo[i], light) + sph_surface_colour(look->ks, sums.gloss[i]);
+            sph_surface_colour(albedo[i], light) + sph_surface_colour(shading->ks, sums.gloss[i]);
         colour[i] = all < 65280 ? all : 65280;
     }
     if (sph_machine_effect(j->m, SPH_EFFECT_TEXTURE))

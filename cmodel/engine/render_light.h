@@ -34,10 +34,10 @@ void sph_job_setup(const struct sph_job *j, struct sph_ray *ray);
 /* A ray through the tree, counted by its kind. */
 struct sph_hit sph_job_trace(const struct sph_job *j, const struct sph_ray *ray);
 
-/* The colour, u8.8, of the surface that the ray hits: s is where, look its material, tint what its
- * rgb is multiplied by (0xAABBGGRR). Sends rays to the lights. trail may be NULL. */
+/* The colour, u8.8, of the surface that the ray hits: s is where, shading its material, tint what
+ * its rgb is multiplied by (0xAABBGGRR). Sends rays to the lights. trail may be NULL. */
 void sph_job_light(const struct sph_job *j, const struct sph_ray *ray, const struct sph_hit *hit,
-                   const struct sph_surface *s, const struct sph_look *look, uint32_t tint,
+                   const struct sph_surface *s, const struct sph_shading *shading, uint32_t tint,
                    uint32_t colour[3], struct sph_trail *trail);
 
 #endif

@@ -136,13 +136,13 @@ struct leaving {
 /* The rays that leave a surface, unless it is as deep as they go. */
 static struct leaving leave(const struct sph_job *j, const struct branch *at,
                             const struct sph_hit *hit, const struct sph_surface *s,
-                            const struct sph_look *look) {
+                            const struct sph_shading *shading) {
     struct leaving l = {0};
     if (at->depth >= j->m->regs[SPH_REG_MAX_DEPTH]) return l;
     uint32_t least = (uint32_t)j->m->regs[SPH_REG_LEAST_WEIGHT];
-    l.kr = sph_look_worth(at->weight, look->kr, least);
-    l.kt = sph_look_worth(at->weight, look->kt, least);
-    if (l.kt && !refracted(j, &at->ray, hit, s, look->index, &l.refracted)) {
+    l.kr = sph_shading_worth(at->weight, shading->kr, least);
+    l.kt = sph_shading_worth(at->weight, shading->kt, least);
+    if (l.kt && !refracted(j, &at->ray, hit, s, shading->index, &l.refracted)) {
         l.kr = l.kr + l.kt < 256 ? l.kr + l.kt : 256;
         l.kt = 0;
     }
@@ -155,19 +155,19 @@ static struct leaving shade(const struct sph_job *j, struct branch *at, const st
                             struct sph_shares *shares) {
     struct sph_trail *trail = at->ray.kind == SPH_PRIMARY ? j->trail : NULL;
     struct leaving l = {0};
-    struct sph_look look = {0};
+    struct sph_shading shading = {0};
     uint32_t colour[3];
     if (prim) {
-        look = sph_look_read(j->m, prim);
-        if (j->stages) sph_look_note(j->stages, &look);
+        shading = sph_shading_read(j->m, prim);
+        if (j->stages) sph_shading_note(j->stages, &shading);
         surface(j, &at->ray, hit, prim, s);
         at->spread = sph_spread(at->length, at->spread, at->bend);
         at->length = sph_path_add(j->p, &at->ray, hit->key, at->length, at->spread);
         if (sph_machine_effect(j->m, SPH_EFFECT_TEXTURE))
             SPH_NOTE(j->stages, SPH_STAGE_PATH, 0, (sph_i128)at->length);
         uint32_t tint = texel(j, hit, prim, s, at->length);
-        sph_job_light(j, &at->ray, hit, s, &look, tint, colour, trail);
-        l = leave(j, at, hit, s, &look);
+        sph_job_light(j, &at->ray, hit, s, &shading, tint, colour, trail);
+        l = leave(j, at, hit, s, &shading);
         if (j->trail && j->trail->depth <= at->depth) j->trail->depth = at->depth + 1;
     } else {
         for (int i = 0; i < 3; i++)
@@ -175,7 +175,7 @@ static struct leaving shade(const struct sph_job *j, struct branch *at, const st
     }
     if (prim || at->depth) /* what the eye sees behind all is no surface */
         SPH_NOTE(j->stages, SPH_STAGE_COLOUR, 0, SPH_THREE(colour), at->weight);
-    uint32_t own = sph_share(at->weight, sph_look_own(&look, l.kr, l.kt));
+    uint32_t own = sph_share(at->weight, sph_shading_own(&shading, l.kr, l.kt));
     sph_shares_add(shares, at->depth, at->weight, own, colour);
     return l;
 }

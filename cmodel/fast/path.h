@@ -52,8 +52,8 @@ static inline void sph_fast_towards(const struct sph_fast_job *j, const struct s
 }
 
 /* Direction, unit and square of the ray to a light; the cosine, 0: it is behind the surface. */
-uint32_t sph_fast_lamp(const struct sph_fast_job *j, const struct sph_surface *s, int light,
-                       struct sph_ray *to);
+uint32_t sph_fast_light(const struct sph_fast_job *j, const struct sph_surface *s, int light,
+                        struct sph_ray *to);
 
 /* The colours, id and key that the ray and those after it give the pixel. known: what was found of
  * the ray, which needs no set-up then; else NULL. */

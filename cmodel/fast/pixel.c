@@ -35,8 +35,8 @@ const uint32_t *sph_fast_record(const struct sph_fast_job *j, const struct sph_h
     return NULL;
 }
 
-uint32_t sph_fast_lamp(const struct sph_fast_job *j, const struct sph_surface *s, int light,
-                       struct sph_ray *to) {
+uint32_t sph_fast_light(const struct sph_fast_job *j, const struct sph_surface *s, int light,
+                        struct sph_ray *to) {
     sph_fast_towards(j, s, light, to->dir);
     to->a = sph_fast_square(to->dir);
     to->unit = sph_fast_unit(to->dir, to->a, j->p->wd);
@@ -72,7 +72,7 @@ static void light(const struct sph_fast_job *j, const struct sph_fast_first *kno
     for (int l = 0; l < r[SPH_REG_N_LIGHTS]; l++) {
         const int32_t *lamp = r + SPH_REG_LIGHT0_X + l * SPH_LIGHT_STRIDE;
         struct sph_ray to;
-        uint32_t cosine = known ? known->cosine[l] : sph_fast_lamp(j, s, l, &to);
+        uint32_t cosine = known ? known->cosine[l] : sph_fast_light(j, s, l, &to);
         if (!cosine) continue;
         int dark = known ? (int)(known->hidden >> l & 1) : j->shadow && blocked(j, hit, s, &to);
         if (trail) trail->faced |= 1u << l, trail->blocked |= (uint32_t)dark << l;
@@ -99,7 +99,7 @@ static uint32_t shade(const struct sph_fast_job *j, const struct sph_fast_first 
         all = all < 131071 ? all : 131071;
         colour[i] = sph_surface_colour(sph_field(prim, SPH_PRIM_RED_LSB + 8 * i, 8), all);
     }
-    return j->reflect ? sph_look_mirror(prim) : 0;
+    return j->reflect ? sph_shading_mirror(prim) : 0;
 }
 
 static void mirror(const struct sph_fast_job *j, const struct sph_hit *hit,
@@ -130,7 +130,7 @@ void sph_fast_path(const struct sph_fast_job *j, struct sph_ray *ray,
             kr = shade(j, depth ? NULL : known, ray, &hit, prim, &s, colour,
                        depth ? NULL : j->trail);
             if (depth >= j->m->regs[SPH_REG_MAX_DEPTH]) kr = 0;
-            kr = sph_look_worth(weight, kr, (uint32_t)j->m->regs[SPH_REG_LEAST_WEIGHT]);
+            kr = sph_shading_worth(weight, kr, (uint32_t)j->m->regs[SPH_REG_LEAST_WEIGHT]);
             if (j->trail) j->trail->depth = depth + 1;
         } else {
             for (int i = 0; i < 3; i++)

@@ -137,7 +137,7 @@ static void hide(struct tile *t, int l) {
         struct sph_fast_first *f = &t->first[i];
         struct sph_ray ray;
         if (!f->prim) continue;
-        f->cosine[l] = sph_fast_lamp(&t->j, &f->s, l, &ray);
+        f->cosine[l] = sph_fast_light(&t->j, &f->s, l, &ray);
         if (!f->cosine[l]) continue;
         for (int k = 0; k < 3; k++) {
             to->org[k][to->n] = (int32_t)f->s.point[k];

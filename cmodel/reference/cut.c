@@ -95,7 +95,7 @@ int sph_cut_measure(const struct sph_scene *scene, const struct sph_machine *m, 
     struct sph_ref_view view;
     *cut = (struct sph_cut){.nearest = INFINITY};
     for (uint32_t i = 0; i < scene->n_facets && p.n < SPH_MAX_PLANES; i++)
-        if (sph_ref_facet_endless(&scene->facets[i])) p.facet[p.n++] = i;
+        if (sph_ref_facet_unbounded(&scene->facets[i])) p.facet[p.n++] = i;
     if (!p.n ||
         !sph_ref_view_of(&scene->camera, m->regs[SPH_REG_FRAME_W], m->regs[SPH_REG_FRAME_H], &view))
         return 0;

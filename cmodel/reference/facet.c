@@ -175,7 +175,7 @@ static void plane_image(const struct sph_facet *f, const double from[3], double 
 
 /* What the reference knows of each kind; from: a point seen from v[0]. */
 static const struct {
-    int endless;
+    int unbounded;
     void (*normal)(const struct sph_facet *f, double normal[3]); /* of any length */
     int (*meet)(const struct sph_facet *f, const struct sph_ref_cast *cast,
                 struct sph_ref_meet *meet);
@@ -184,8 +184,8 @@ static const struct {
 } kinds[SPH_KINDS] = {[SPH_TRIANGLE] = {0, triangle_normal, triangle_meet, triangle_image},
                       [SPH_PLANE] = {1, plane_normal, plane_meet, plane_image}};
 
-int sph_ref_facet_endless(const struct sph_facet *f) {
-    return kinds[f->kind].endless;
+int sph_ref_facet_unbounded(const struct sph_facet *f) {
+    return kinds[f->kind].unbounded;
 }
 
 void sph_ref_facet_normal(const struct sph_facet *f, double normal[3]) {
@@ -232,7 +232,7 @@ int sph_ref_facet(const struct sph_facet *f, const struct sph_ref_cast *cast,
  * is its area over its longest edge; between two normals at its corners lies at most 2. */
 double sph_ref_facet_turn(const struct sph_facet *f, double off) {
     double e[2][3], v[3], n[3];
-    if (kinds[f->kind].endless) return 4 * SPH_REF_ULP;
+    if (kinds[f->kind].unbounded) return 4 * SPH_REF_ULP;
     between(f->v[0], (struct sph_vec){0, 0, 0}, v);
     between(f->v[1], f->v[0], e[0]);
     between(f->v[2], f->v[0], e[1]);
@@ -248,13 +248,13 @@ static int within(const struct sph_facet *f, const struct sph_facet *g) {
     double n[3], m[3], side[3], base[3];
     sph_ref_facet_normal(g, n);
     between(g->v[0], (struct sph_vec){0, 0, 0}, base);
-    if (kinds[f->kind].endless) {
-        if (!kinds[g->kind].endless) return 0;
+    if (kinds[f->kind].unbounded) {
+        if (!kinds[g->kind].unbounded) return 0;
         sph_ref_facet_normal(f, m);
         cross(n, m, side);
         if (!(sph_ref_size(side) <= tiny)) return 0;
     }
-    for (int k = 0; k < (kinds[f->kind].endless ? 1 : 3); k++) {
+    for (int k = 0; k < (kinds[f->kind].unbounded ? 1 : 3); k++) {
         double from[3];
         between(f->v[k], g->v[0], from);
         if (!(fabs(dot(n, from)) <= tiny * (sph_ref_size(base) + sph_ref_size(from)))) return 0;

@@ -9,7 +9,7 @@
 #include "scene/scene.h"
 
 /* Whether a facet has no end: no box holds it. */
-int sph_ref_facet_endless(const struct sph_facet *facet);
+int sph_ref_facet_unbounded(const struct sph_facet *facet);
 
 /* The normal of a facet, of length 1 (a triangle of no area: not a number). */
 void sph_ref_facet_normal(const struct sph_facet *facet, double normal[3]);

@@ -205,7 +205,7 @@ static void leave(const struct sph_ref_job *j, const struct sph_ref_branch *b,
 }
 
 static int is_plane(const struct sph_scene *scene, uint32_t id) {
-    return id >= scene->n_spheres && sph_ref_facet_endless(&scene->facets[id - scene->n_spheres]);
+    return id >= scene->n_spheres && sph_ref_facet_unbounded(&scene->facets[id - scene->n_spheres]);
 }
 
 /* The next step of the log, NULL if there is none. */

@@ -58,6 +58,6 @@ void sph_ref_follow(const struct sph_ref_job *j, struct sph_ref_branch b,
                     struct sph_ref_seen *seen);
 
 /* What the primary ray of a pixel sees, into *seen, whose log and work are given. */
-void sph_ref_look(const struct sph_ref_job *j, int x, int y, struct sph_ref_seen *seen);
+void sph_ref_sample_of(const struct sph_ref_job *j, int x, int y, struct sph_ref_seen *seen);
 
 #endif

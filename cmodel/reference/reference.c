@@ -17,7 +17,7 @@ static uint32_t byte(double c) {
     return (uint32_t)(fmin(fmax(c, 0), 1) * 255 + 0.5);
 }
 
-void sph_ref_look(const struct sph_ref_job *j, int x, int y, struct sph_ref_seen *seen) {
+void sph_ref_sample_of(const struct sph_ref_job *j, int x, int y, struct sph_ref_seen *seen) {
     const struct sph_ref_view *v = &j->view;
     struct sph_ref_branch b = {
         .ray = {.org = {v->eye[0], v->eye[1], v->eye[2]}, .skip = SPH_ID_NONE}, .weight = 1};
@@ -36,7 +36,7 @@ void sph_ref_look(const struct sph_ref_job *j, int x, int y, struct sph_ref_seen
 static struct sph_reference_pixel render_pixel(const struct sph_ref_job *j, int x, int y,
                                                struct sph_level_work *work) {
     struct sph_ref_seen seen = {.work = work};
-    sph_ref_look(j, x, y, &seen);
+    sph_ref_sample_of(j, x, y, &seen);
     for (int f = 0; f < SPH_FRAMES; f++)
         for (int i = 0; i < 3; i++)
             seen.pixel.colour[f] |= byte(seen.sum[f][i]) << (8 * i);

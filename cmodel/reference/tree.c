@@ -25,7 +25,7 @@ struct sph_ref_tree {
     struct sph_ref_item *items;
     struct box *boxes;
     uint32_t n_items, n_boxes;
-    uint32_t *endless, n_endless; /* planes, which no box holds */
+    uint32_t *unbounded, n_unbounded; /* planes, which no box holds */
     const struct sph_scene *scene;
     struct sph_kd *kd; /* NULL: the boxes are walked */
     struct sph_ref_work *work;
@@ -145,16 +145,16 @@ struct sph_ref_tree *sph_ref_tree_counted(const struct sph_scene *scene, int kd,
     t->scene = scene;
     t->items = malloc((n + 1) * sizeof *t->items);
     t->boxes = malloc((2 * n + 1) * sizeof *t->boxes);
-    t->endless = malloc(((size_t)scene->n_facets + 1) * sizeof *t->endless);
-    if (!t->items || !t->boxes || !t->endless) {
+    t->unbounded = malloc(((size_t)scene->n_facets + 1) * sizeof *t->unbounded);
+    if (!t->items || !t->boxes || !t->unbounded) {
         sph_ref_tree_free(t);
         return NULL;
     }
     for (uint32_t i = 0; i < scene->n_spheres; i++)
         add(t, i, &scene->spheres[i].ctr, 1, scene->spheres[i].rad);
     for (uint32_t i = 0; i < scene->n_facets; i++)
-        if (sph_ref_facet_endless(&scene->facets[i]))
-            t->endless[t->n_endless++] = i;
+        if (sph_ref_facet_unbounded(&scene->facets[i]))
+            t->unbounded[t->n_unbounded++] = i;
         else
             add(t, scene->n_spheres + i, scene->facets[i].v, 3, 0);
     if (!grow(t, kd)) {
@@ -175,7 +175,7 @@ void sph_ref_tree_free(struct sph_ref_tree *tree) {
     if (!tree) return;
     free(tree->items);
     free(tree->boxes);
-    free(tree->endless);
+    free(tree->unbounded);
     sph_kd_free(tree->kd);
     free(tree);
 }
@@ -278,8 +278,8 @@ static void walk(struct walk *w) {
     const struct sph_ref_tree *tree = w->tree;
     const struct sph_ref_ray *ray = w->cast->ray;
     double limit = w->limit;
-    for (uint32_t i = 0; i < tree->n_endless && limit >= 0; i++)
-        limit = test(w, tree->scene->n_spheres + tree->endless[i]);
+    for (uint32_t i = 0; i < tree->n_unbounded && limit >= 0; i++)
+        limit = test(w, tree->scene->n_spheres + tree->unbounded[i]);
     if (limit < 0) return;
     if (tree->kd)
         w->steps += sph_kd_walk(tree->kd, ray->org, ray->dir, limit, test, w);

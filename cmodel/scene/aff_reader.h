@@ -48,7 +48,7 @@ struct sph_aff_patch {
     } * at;
 };
 
-struct sph_aff_lamp {
+struct sph_aff_light {
     uint32_t node;
     char name[SPH_LEX_TOKEN + 1]; /* of `la` */
 };
@@ -63,7 +63,7 @@ struct sph_aff {
     struct sph_aff_node *nodes;
     struct sph_aff_keys *keys;
     struct sph_aff_patch *patches;
-    struct sph_aff_lamp lamp[SPH_MAX_LIGHTS];
+    struct sph_aff_light lamp[SPH_MAX_LIGHTS];
     uint32_t a_line, am_line; /* of `a`, `am`; 0: none */
     double start, end, frames;
     const struct sph_progress *to; /* who is told how far it is; then all is not 0 */

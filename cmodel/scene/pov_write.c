@@ -30,7 +30,7 @@ static double distance(struct sph_vec a, struct sph_vec b) {
 }
 
 /* A facet without bounds: a plane. */
-static int endless(const struct sph_scene *s, uint32_t facet) {
+static int unbounded(const struct sph_scene *s, uint32_t facet) {
     return sph_kind_unbounded((uint32_t)s->facets[facet].kind);
 }
 
@@ -41,7 +41,7 @@ static double scale_of(const struct sph_scene *s) {
     for (uint32_t i = 0; i < s->n_spheres; i++)
         most = fmax(most, distance(s->spheres[i].ctr, s->camera.from) + s->spheres[i].rad);
     for (uint32_t i = 0; i < s->n_facets; i++) {
-        int one = endless(s, i); /* point of it */
+        int one = unbounded(s, i); /* point of it */
         if (one) extent = EXTENT_LOG2_PLANE;
         for (int k = 0; k < (one ? 1 : 3); k++)
             most = fmax(most, distance(s->facets[i].v[k], s->camera.from));
@@ -206,7 +206,7 @@ static void put_solid(const struct writer *w, uint32_t material) {
     uint32_t n = 0;
     for (int shade = 0; shade < 2 - passes(w, material); shade++) {
         for (uint32_t i = 0; i < s->n_facets; i++) {
-            if (endless(s, i) || s->facets[i].material != material) continue;
+            if (unbounded(s, i) || s->facets[i].material != material) continue;
             if (!n++) fputs("union {\n", w->file);
             put_facet[s->facets[i].kind](w, &s->facets[i]);
             if (!shade) put_look(w, s->n_spheres + i, material);
@@ -233,7 +233,7 @@ static void put_scene(const struct writer *w, const struct sph_pov_options *o) {
     for (uint32_t i = 0; i < s->n_spheres; i++)
         put_primitive(w, i);
     for (uint32_t i = 0; i < s->n_facets; i++)
-        if (endless(s, i) || !clear(s, s->facets[i].material)) put_primitive(w, s->n_spheres + i);
+        if (unbounded(s, i) || !clear(s, s->facets[i].material)) put_primitive(w, s->n_spheres + i);
     for (uint32_t i = 0; i < s->n_materials; i++)
         if (clear(s, i)) put_solid(w, i);
 }

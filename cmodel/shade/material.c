@@ -14,15 +14,15 @@ static uint32_t share(const uint32_t *prim, int lsb, int bits) {
     return s < ONE ? s : ONE;
 }
 
-uint32_t sph_look_mirror(const uint32_t *prim) {
+uint32_t sph_shading_mirror(const uint32_t *prim) {
     return share(prim, SPH_PRIM_KR_LSB, SPH_PRIM_KR_BITS);
 }
 
-struct sph_look sph_look_read(const struct sph_machine *m, const uint32_t *prim) {
-    struct sph_look l = {.ka = ONE, .kd = ONE};
+struct sph_shading sph_shading_read(const struct sph_machine *m, const uint32_t *prim) {
+    struct sph_shading l = {.ka = ONE, .kd = ONE};
     for (int i = 0; i < 3; i++)
         l.rgb[i] = sph_field(prim, SPH_PRIM_RED_LSB + 8 * i, 8);
-    if (sph_machine_effect(m, SPH_EFFECT_REFLECT)) l.kr = sph_look_mirror(prim);
+    if (sph_machine_effect(m, SPH_EFFECT_REFLECT)) l.kr = sph_shading_mirror(prim);
     if (sph_machine_effect(m, SPH_EFFECT_REFRACT)) {
         l.kt = share(prim, SPH_PRIM_KT_LSB, SPH_PRIM_KT_BITS);
         l.index = sph_field(prim, SPH_PRIM_INDEX_LSB, SPH_PRIM_INDEX_BITS);
@@ -39,22 +39,22 @@ struct sph_look sph_look_read(const struct sph_machine *m, const uint32_t *prim)
     return l;
 }
 
-void sph_look_note(struct sph_stages *s, const struct sph_look *l) {
+void sph_shading_note(struct sph_stages *s, const struct sph_shading *l) {
     SPH_NOTE(s, SPH_STAGE_MATERIAL, 0, SPH_THREE(l->rgb), l->kr, l->kt, l->sum, l->ka, l->kd, l->ks,
              l->power, l->index);
 }
 
-uint32_t sph_look_worth(uint32_t weight, uint32_t part, uint32_t least) {
+uint32_t sph_shading_worth(uint32_t weight, uint32_t part, uint32_t least) {
     return sph_share(weight, part) >> 8 < least ? 0 : part;
 }
 
-uint32_t sph_look_light(const struct sph_look *look, uint32_t ambient, uint32_t lights) {
-    uint32_t sum = (uint32_t)(sph_round((int64_t)look->ka * ambient, 8) +
-                              sph_round((int64_t)look->kd * lights, 8));
+uint32_t sph_shading_light(const struct sph_shading *shading, uint32_t ambient, uint32_t lights) {
+    uint32_t sum = (uint32_t)(sph_round((int64_t)shading->ka * ambient, 8) +
+                              sph_round((int64_t)shading->kd * lights, 8));
     return sum < 131071 ? sum : 131071;
 }
 
-uint32_t sph_look_own(const struct sph_look *look, uint32_t kr, uint32_t kt) {
-    if (look->sum) return ONE;
+uint32_t sph_shading_own(const struct sph_shading *shading, uint32_t kr, uint32_t kt) {
+    if (shading->sum) return ONE;
     return kr + kt < ONE ? ONE - kr - kt : 0;
 }

@@ -45,7 +45,7 @@ module rt_isqrt #(
     reg [BW-1:0]   root_d;
     reg [BW+2:0]   rem_d;
     reg [BW+2:0]   left;                   // rem - trial, top bit: it does not fit
-    reg [5:0]      over_d;                 // CUT: digits of this round behind the last one
+    reg [5:0]      excess_d;                 // CUT: digits of this round behind the last one
     reg            lost_d;                 // CUT: a radicand bit of theirs is 1
     integer i;
     always @* begin
@@ -53,11 +53,11 @@ module rt_isqrt #(
         root_d = root_q;
         rem_d  = {2'd0, rem_q};
         left   = {(BW+3){1'b0}};
-        over_d = 6'd0;
+        excess_d = 6'd0;
         lost_d = 1'b0;
         for (i = 0; i < STEP; i = i + 1) begin
             if (CUT && i != 0 && root_d[BW-1]) begin
-                over_d = over_d + 6'd1;
+                excess_d = excess_d + 6'd1;
                 lost_d = lost_d || x_d[2*RW-1 -: 2] != 2'd0;
             end else begin
                 rem_d  = {rem_d[BW:0], x_d[2*RW-1 -: 2]};
@@ -104,18 +104,18 @@ module rt_isqrt #(
         if (CUT) begin : g_cut
             localparam       STEP_BITS = STEP;     // as 32 bits
             localparam [5:0] DIGITS    = STEP_BITS[5:0];
-            reg [5:0] over_q;
+            reg [5:0] excess_q;
             reg       lost_q;
-            always @(posedge clk) if (!done) {over_q, lost_q} <= {over_d, lost_d};
+            always @(posedge clk) if (!done) {excess_q, lost_q} <= {excess_d, lost_d};
             wire [5:0] rounds = {{(6-CW){1'b0}}, count_q};
             assign out_root_o    = root_q;
-            assign out_shift_o   = rounds * DIGITS + over_q;
+            assign out_shift_o   = rounds * DIGITS + excess_q;
             assign out_inexact_o = |rem_q || lost_q || |x_q;
         end else begin : g_all
             assign out_root_o    = root_q[XW/2-1:0];
             assign out_shift_o   = 6'd0;
             assign out_inexact_o = |rem_q;
-            wire unused = &{1'b0, root_q, over_d, lost_d};
+            wire unused = &{1'b0, root_q, excess_d, lost_d};
         end
     endgenerate
 

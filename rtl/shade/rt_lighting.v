@@ -73,8 +73,8 @@ module rt_lighting #(
                 .shadow_go_o(shadow_go_o),
                 .unshadowed_valid_o(unshadowed_valid), .unshadowed_lit_o(unshadowed_lit)
             );
-            if (GLOSS != 0) begin : g_shine
-                rt_specular_lights #(.W(W), .WD(WD), .SHADOW(SHADOW), .SLOTS(SLOTS)) u_shine (
+            if (GLOSS != 0) begin : g_specular
+                rt_specular_lights #(.W(W), .WD(WD), .SHADOW(SHADOW), .SLOTS(SLOTS)) u_specular (
                     .clk(clk), .rst(rst),
                     .on_i(effects[`RT_EFFECT_SUM] && effects[`RT_EFFECT_SPECULAR]),
                     .ray_i(ray_i), .material_i(material_i),
@@ -85,7 +85,7 @@ module rt_lighting #(
                     .out_valid_o(decided), .out_slot_o(decided_slot), .out_lit_o(decided_lit),
                     .out_highlight_o(highlight), .power_o(power_o)
                 );
-            end else begin : g_no_shine
+            end else begin : g_no_specular
                 assign {decided, decided_slot, decided_lit} =
                     {unshadowed_valid, shadow_slot_o, unshadowed_lit};
                 assign highlight = 16'd0;

@@ -107,7 +107,7 @@ module rt_shade #(
     wire [SLOTW-1:0] unlit_slot;
     rt_surface #(.W(W), .WD(WD), .PQ(PQ), .NG(NG), .POINTS(POINTS), .BOUNCES(BOUNCES),
                  .INSIDE(INSIDE), .FACETS(FACETS), .TEXTURE(TEXTURE), .SMOOTH(BENT),
-                 .SPREAD(SPREAD), .LOOKS(SHARES),
+                 .SPREAD(SPREAD), .MATERIALS(SHARES),
                  .SLOTS(SLOTS), .LUTS(LUTS), .QUOTIENTS(QUOTIENTS),
                  .QUOTIENT_STEP(QUOTIENT_STEP), .HIT_INTERVAL(HIT_INTERVAL)) u_surface (
         .clk(clk), .rst(rst), .regs_i(regs_i), .points_on_i(points_on),

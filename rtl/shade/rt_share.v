@@ -8,7 +8,8 @@
 //   1 ka  2 kd  3 ks  4 weight * kr, kt  5 rgb  7 weight * own, kr + kt  8, 9 colour
 // A share whose ray would weigh less than in_least_i counts as 0.
 // products follow by 1 cycle, what is made of them by 2. Latency 12 cycles, one every 12 cycles.
-// Model: sph_look_light(), sph_look_own() in cmodel/shade/material.c, sph_shares_add() in colour.c
+// Model: sph_shading_light(), sph_shading_own() in cmodel/shade/material.c, sph_shares_add() in
+// colour.c
 `timescale 1ns / 1ps
 `default_nettype none
 module rt_share #(
@@ -103,7 +104,7 @@ module rt_share #(
             reg  [16:0] light_q;           // u2.15; lights first, then all of the light
             wire [16:0] light = in_background_i ? 17'h08000 : in_lights_i[17*c +: 17];
             wire [16:0] ambient, gloss;
-            wire [15:0] shine;             // u8.8
+            wire [15:0] highlight;             // u8.8
             reg  [15:0] colour_q;          // u8.8
             // ---- operands, product ----
             wire [8:0]  part = c == 2 ? kt_q : kr_q;
@@ -144,19 +145,19 @@ module rt_share #(
             // ---- highlight, cycle 5; colour, cycle 7 ----
             if (SPECULAR != 0) begin : g_gloss
                 reg [16:0] gloss_q;
-                reg [15:0] shine_q;
+                reg [15:0] highlight_q;
                 assign gloss = gloss_q;
-                assign shine = shine_q;
+                assign highlight = highlight_q;
                 always @(posedge clk) begin
                     if (take)    gloss_q <= in_gloss_i[17*c +: 17];
-                    if (ph_q[5]) shine_q <= seen;
+                    if (ph_q[5]) highlight_q <= seen;
                 end
             end else begin : g_matt
                 assign gloss = 17'd0;
-                assign shine = 16'd0;
+                assign highlight = 16'd0;
                 wire unused = &{1'b0, in_gloss_i[17*c +: 17]};
             end
-            wire [16:0] bright = {1'b0, seen} + {1'b0, shine};
+            wire [16:0] bright = {1'b0, seen} + {1'b0, highlight};
             always @(posedge clk)
                 if (ph_q[7]) colour_q <= bright > 17'd65280 ? 16'd65280 : bright[15:0];
 

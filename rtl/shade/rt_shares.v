@@ -79,7 +79,7 @@ module rt_shares #(
         .wr_data_i({next_depth_i[DB-1:0], next_weight_i}),
         .rd_en_i(read_i), .rd_addr_i(read_slot_i), .rd_data_o({e_depth, e_weight})
     );
-    rt_slot_ram #(.WIDTH(36), .SLOTS(SLOTS), .OLD(0)) u_look (
+    rt_slot_ram #(.WIDTH(36), .SLOTS(SLOTS), .OLD(0)) u_material (
         .clk(clk), .wr_en_i(material_i[`RT_MATERIAL_VALID]),
         .wr_addr_i(material_i[`RT_MATERIAL_SLOT]),
         .wr_data_i({material_i[`RT_MATERIAL_KS], material_i[`RT_MATERIAL_KD],

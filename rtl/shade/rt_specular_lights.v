@@ -93,7 +93,7 @@ module rt_specular_lights #(
         .clk(clk), .wr_en_i(ray_i[`RT_RAY_LIGHT]), .wr_addr_i(unit_slot), .wr_data_i(unit),
         .rd_en_i(read), .rd_addr_i(slot), .rd_data_o(light)
     );
-    rt_slot_ram #(.WIDTH(13), .SLOTS(SLOTS), .OLD(0)) u_look (
+    rt_slot_ram #(.WIDTH(13), .SLOTS(SLOTS), .OLD(0)) u_material (
         .clk(clk), .wr_en_i(material_i[`RT_MATERIAL_VALID]),
         .wr_addr_i(material_i[`RT_MATERIAL_SLOT]),
         .wr_data_i({shines, material_i[`RT_MATERIAL_POWER]}),

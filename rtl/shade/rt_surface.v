@@ -22,7 +22,7 @@ module rt_surface #(
     parameter TEXTURE = 0,     // 1: textures
     parameter SMOOTH  = 0,     // 1: interpolated normals
     parameter SPREAD  = 0,     // 1: spheres spread rays
-    parameter LOOKS   = 0,     // 1: the rest of the material, for refraction and sum
+    parameter MATERIALS   = 0,     // 1: the rest of the material, for refraction and sum
     parameter SLOTS = 32,      // power of two
     parameter LUTS  = 0,       // LUT cells that a block RAM is worth, rt_slot_ram
     parameter QUOTIENTS = 2,   // dividers
@@ -152,7 +152,7 @@ module rt_surface #(
         SMOOTH != 0 && effects[`RT_EFFECT_SMOOTH]
         ? prim[`RT_PRIM_SMOOTH_LSB +: `RT_PRIM_SMOOTH_BITS] : {`RT_PRIM_SMOOTH_BITS{1'b0}};
     generate
-        if (LOOKS != 0) begin : g_look
+        if (MATERIALS != 0) begin : g_material
             assign material_o[`RT_MATERIAL_KT]    = prim[`RT_PRIM_KT_LSB +: `RT_PRIM_KT_BITS];
             assign material_o[`RT_MATERIAL_SUM]   = prim[`RT_PRIM_SUM_LSB];
             assign material_o[`RT_MATERIAL_KA]    = prim[`RT_PRIM_KA_LSB +: `RT_PRIM_KA_BITS];
@@ -162,7 +162,7 @@ module rt_surface #(
                 prim[`RT_PRIM_POWER_LSB +: `RT_PRIM_POWER_BITS];
             assign material_o[`RT_MATERIAL_INDEX] =
                 prim[`RT_PRIM_INDEX_LSB +: `RT_PRIM_INDEX_BITS];
-        end else begin : g_no_look
+        end else begin : g_no_material
             assign material_o[`RT_MATERIAL_KT]    = {`RT_PRIM_KT_BITS{1'b0}};
             assign material_o[`RT_MATERIAL_SUM]   = 1'b0;
             assign material_o[`RT_MATERIAL_KA]    = {`RT_PRIM_KA_BITS{1'b0}};

@@ -25,8 +25,8 @@ class Surface : public Watch {
             for (int i = 0; i < SPH_LINE_WORDS; i++)
                 prim[static_cast<size_t>(i)] =
                     static_cast<uint32_t>(record_.get(lsb_of(RT_RECORD_DATA) + 32 * i, 32));
-            const sph_look look = sph_look_read(&f.machine, prim.data());
-            sph_look_note(&f.to, &look);
+            const sph_shading shading = sph_shading_read(&f.machine, prim.data());
+            sph_shading_note(&f.to, &shading);
         }
         if (guarded_.bit()) { /* x, y, z of a hit; hits leave in their order */
             coming_.push_back(g_.number());

@@ -1,4 +1,4 @@
-/* tb_share.cpp - rt_share against sph_look_light(), sph_surface_colour(), sph_shares_add()
+/* tb_share.cpp - rt_share against sph_shading_light(), sph_surface_colour(), sph_shares_add()
  * SPDX-License-Identifier: Apache-2.0
  */
 #include <algorithm>
@@ -18,7 +18,7 @@ constexpr uint64_t LATENCY = 12, INTERVAL = 12;
 struct Vector {
     int background;
     uint32_t ambient[3], lights[3], gloss[3], albedo[3];
-    struct sph_look look;
+    struct sph_shading shading;
     uint32_t weight, least;
     int depth;
     struct sph_shares shares;
@@ -27,8 +27,8 @@ struct Vector {
 
 constexpr uint32_t ONE = 65536, LIGHT = 131071, FULL = 65535;
 
-/* A look; without SUM or SPECULAR what the model makes of it. */
-constexpr struct sph_look look(int sum, uint32_t kr, uint32_t kt, uint32_t ks) {
+/* A shading; without SUM or SPECULAR what the model makes of it. */
+constexpr struct sph_shading shading(int sum, uint32_t kr, uint32_t kt, uint32_t ks) {
     return {{0, 0, 0}, kr, kt, sum && SUM, 256, 256, sum && SPECULAR && SUM ? ks : 0, 0, 0};
 }
 
@@ -39,7 +39,7 @@ const Vector corners[] = {
      {LIGHT, LIGHT, LIGHT},
      {LIGHT, LIGHT, LIGHT},
      {255, 255, 255},
-     look(1, 256, 256, 255),
+     shading(1, 256, 256, 255),
      ONE,
      0,
      0,
@@ -47,14 +47,14 @@ const Vector corners[] = {
      0,
      0},
     /* nothing at all */
-    {0, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, look(0, 0, 0, 0), 0, 0, 0, {{{0}}}, 0, 0},
+    {0, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, shading(0, 0, 0, 0), 0, 0, 0, {{{0}}}, 0, 0},
     /* background, whose own shares are all of it: words that must not count */
     {1,
      {1, 2, 3},
      {LIGHT, 9, 9},
      {LIGHT, 9, 9},
      {255, 128, 1},
-     look(1, 0, 0, 255),
+     shading(1, 0, 0, 255),
      40000,
      0,
      1,
@@ -67,7 +67,7 @@ const Vector corners[] = {
      {32768, 32768, 32768},
      {0, 0, 0},
      {200, 100, 50},
-     look(0, 200, 100, 0),
+     shading(0, 200, 100, 0),
      ONE,
      0,
      0,
@@ -93,7 +93,7 @@ const Vector corners[] = {
      {32768, 32768, 32768},
      {0, 0, 0},
      {200, 100, 50},
-     look(0, 128, 128, 0),
+     shading(0, 128, 128, 0),
      ONE,
      0,
      1,
@@ -105,7 +105,7 @@ const Vector corners[] = {
      {32768, 32768, 32768},
      {0, 0, 0},
      {200, 100, 50},
-     look(0, 128, 127, 0),
+     shading(0, 128, 127, 0),
      32767,
      0,
      2,
@@ -118,7 +118,7 @@ const Vector corners[] = {
      {32768, 32768, 32768},
      {0, 0, 0},
      {200, 100, 50},
-     look(0, 63, 63, 0),
+     shading(0, 63, 63, 0),
      ONE,
      64,
      1,
@@ -131,7 +131,7 @@ const Vector corners[] = {
      {32768, 32768, 32768},
      {0, 0, 0},
      {200, 100, 50},
-     look(1, 64, 63, 0),
+     shading(1, 64, 63, 0),
      ONE,
      64,
      1,
@@ -144,7 +144,7 @@ const Vector corners[] = {
      {32768, 32768, 32768},
      {0, 0, 0},
      {255, 255, 255},
-     look(0, 64, 64, 0),
+     shading(0, 64, 64, 0),
      1,
      0,
      5,
@@ -169,9 +169,9 @@ Vector make(bench::Random &random) {
     Vector v{};
     v.background = random.percent(15);
     int sum = random.percent(60);
-    v.look = look(sum, v.background ? 0 : share(random), v.background ? 0 : share(random),
-                  (uint32_t)random.below(256));
-    if (v.look.sum) v.look.ka = share(random), v.look.kd = share(random);
+    v.shading = shading(sum, v.background ? 0 : share(random), v.background ? 0 : share(random),
+                        (uint32_t)random.below(256));
+    if (v.shading.sum) v.shading.ka = share(random), v.shading.kd = share(random);
     for (int i = 0; i < 3; i++) {
         v.ambient[i] = random.percent(50) ? (uint32_t)random.below(32769) : 0;
         v.lights[i] = (uint32_t)random.mixed(random.percent(50) ? 17 : 15);
@@ -201,12 +201,12 @@ void send(Bench &b, const Vector &v) {
     b.set(b.dut.in_lights_i, 51, word(lights, 17));
     b.set(b.dut.in_gloss_i, 51, word(v.gloss, 17));
     b.set(b.dut.in_albedo_i, 24, word(v.albedo, 8));
-    b.dut.in_sum_i = v.look.sum != 0;
-    b.set(b.dut.in_ka_i, 9, v.look.sum ? v.look.ka : 77); /* must not count without sum */
-    b.set(b.dut.in_kd_i, 9, v.look.sum ? v.look.kd : 99);
-    b.set(b.dut.in_ks_i, 8, v.look.sum ? v.look.ks : 111);
-    b.set(b.dut.in_kr_i, 9, v.look.kr);
-    b.set(b.dut.in_kt_i, 9, v.look.kt);
+    b.dut.in_sum_i = v.shading.sum != 0;
+    b.set(b.dut.in_ka_i, 9, v.shading.sum ? v.shading.ka : 77); /* must not count without sum */
+    b.set(b.dut.in_kd_i, 9, v.shading.sum ? v.shading.kd : 99);
+    b.set(b.dut.in_ks_i, 8, v.shading.sum ? v.shading.ks : 111);
+    b.set(b.dut.in_kr_i, 9, v.shading.kr);
+    b.set(b.dut.in_kt_i, 9, v.shading.kt);
     b.set(b.dut.in_weight_i, 17, v.weight);
     b.set(b.dut.in_least_i, 9, v.least);
     b.set(b.dut.in_depth_i, 2, std::min(v.depth, 2));
@@ -221,20 +221,21 @@ void send(Bench &b, const Vector &v) {
 
 void check(Bench &b, const Vector &e) {
     uint32_t colour[3];
-    struct sph_look look = e.look;
-    for (uint32_t *s : {&look.kr, &look.kt, &look.ka, &look.kd})
+    struct sph_shading shading = e.shading;
+    for (uint32_t *s : {&shading.kr, &shading.kt, &shading.ka, &shading.kd})
         *s = counts(*s);
-    uint32_t mirror = sph_share(e.weight, look.kr), refract = sph_share(e.weight, look.kt);
-    look.kr = sph_look_worth(e.weight, look.kr, e.least);
-    look.kt = sph_look_worth(e.weight, look.kt, e.least);
+    uint32_t mirror = sph_share(e.weight, shading.kr), refract = sph_share(e.weight, shading.kt);
+    shading.kr = sph_shading_worth(e.weight, shading.kr, e.least);
+    shading.kt = sph_shading_worth(e.weight, shading.kt, e.least);
     for (int i = 0; i < 3; i++) {
-        uint32_t light = sph_look_light(&look, e.ambient[i], e.lights[i]);
-        colour[i] = e.background ? e.albedo[i] << 8
-                                 : std::min(65280u, sph_surface_colour(e.albedo[i], light) +
-                                                        sph_surface_colour(e.look.ks, e.gloss[i]));
+        uint32_t light = sph_shading_light(&shading, e.ambient[i], e.lights[i]);
+        colour[i] = e.background
+                        ? e.albedo[i] << 8
+                        : std::min(65280u, sph_surface_colour(e.albedo[i], light) +
+                                               sph_surface_colour(e.shading.ks, e.gloss[i]));
     }
     struct sph_shares shares = e.shares;
-    uint32_t own = sph_share(e.weight, sph_look_own(&look, look.kr, look.kt));
+    uint32_t own = sph_share(e.weight, sph_shading_own(&shading, shading.kr, shading.kt));
     sph_shares_add(&shares, e.depth, e.weight, own, colour);
     for (int f = 0; f < 3; f++)
         for (int i = 0; i < 3; i++) {
@@ -242,7 +243,7 @@ void check(Bench &b, const Vector &e) {
             uint32_t sum = b.dut.out_frames_o[at / 32] >> (at % 32) & 0xffff;
             b.expect("out_frames_o", sum, shares.sum[f][i], 16);
         }
-    uint32_t total = std::min(256u, look.kr + look.kt);
+    uint32_t total = std::min(256u, shading.kr + shading.kt);
     b.expect("out_mirror_o", b.get(b.dut.out_mirror_o), mirror, 17);
     b.expect("out_refract_o", b.get(b.dut.out_refract_o), refract, 17);
     b.expect("out_light_mirror_o", b.dut.out_light_mirror_o, mirror < 256 * e.least, 1);
@@ -252,9 +253,9 @@ void check(Bench &b, const Vector &e) {
         b.show("depth", e.depth, 3);
         b.show("in_weight_i", e.weight, 17);
         b.show("in_least_i", e.least, 9);
-        b.show("in_sum_i", e.look.sum, 1);
-        b.show("in_kr_i", e.look.kr, 9);
-        b.show("in_kt_i", e.look.kt, 9);
+        b.show("in_sum_i", e.shading.sum, 1);
+        b.show("in_kr_i", e.shading.kr, 9);
+        b.show("in_kt_i", e.shading.kt, 9);
         b.show("in_background_i", e.background, 1);
     }
 }

@@ -1,4 +1,4 @@
-/* tb_shares.cpp - rt_shares, rt_share inside, against sph_look_light() and sph_shares_add()
+/* tb_shares.cpp - rt_shares, rt_share inside, against sph_shading_light() and sph_shares_add()
  * SPDX-License-Identifier: Apache-2.0
  *
  * Every slot follows a pixel: surfaces and background one after another, each with a material,
@@ -42,7 +42,7 @@ constexpr int DEEPEST = REFRACT && REFLECT < SPH_REFRACT_DEPTH ? SPH_REFRACT_DEP
 struct Slot {
     enum { IDLE, TOLD, INSIDE, READ } state = IDLE; /* TOLD: all but the surface itself */
     bool fresh = true, background = false;          /* the first surface of its pixel */
-    struct sph_look look = {};
+    struct sph_shading shading = {};
     uint32_t lights[3] = {}, gloss[3] = {}, kr = 0, albedo = 0;
     uint32_t weight = 65536;
     int depth = 0;
@@ -139,25 +139,26 @@ class Shares : public bench::Bench<Vrt_shares> {
         dut.next_depth_i = (uint8_t)(s.fresh ? (int)random.below(DEEPEST + 1) : s.depth);
         /* what the model makes of it */
         bool rays = !s.background && s.depth != max_depth;
-        s.look = {};
-        s.look.sum = SUM && on(SPH_EFFECT_SUM) && sum && !s.background;
-        s.look.ka = s.look.sum ? ka : 256;
-        s.look.kd = s.look.sum ? kd : 256;
-        s.look.ks = s.look.sum && SPECULAR && on(SPH_EFFECT_SPECULAR) ? ks : 0;
+        s.shading = {};
+        s.shading.sum = SUM && on(SPH_EFFECT_SUM) && sum && !s.background;
+        s.shading.ka = s.shading.sum ? ka : 256;
+        s.shading.kd = s.shading.sum ? kd : 256;
+        s.shading.ks = s.shading.sum && SPECULAR && on(SPH_EFFECT_SPECULAR) ? ks : 0;
         s.out_kr = rays && on(SPH_EFFECT_REFLECT) ? s.kr : 0;
         s.out_kt = rays && REFRACT && on(SPH_EFFECT_REFRACT) ? kt : 0;
-        s.out_kr = sph_look_worth(s.weight, s.out_kr, least);
-        s.out_kt = sph_look_worth(s.weight, s.out_kt, least);
+        s.out_kr = sph_shading_worth(s.weight, s.out_kr, least);
+        s.out_kt = sph_shading_worth(s.weight, s.out_kt, least);
         s.total = s.out_kr + s.out_kt < 256 ? s.out_kr + s.out_kt : 256;
         uint32_t colour[3];
         for (int i = 0; i < 3; i++) {
             uint32_t albedo = s.albedo >> 8 * i & 255;
-            uint32_t lit = SUM ? sph_look_light(&s.look, ambient[i], s.lights[i]) : s.lights[i];
+            uint32_t lit =
+                SUM ? sph_shading_light(&s.shading, ambient[i], s.lights[i]) : s.lights[i];
             uint32_t all =
-                sph_surface_colour(albedo, lit) + sph_surface_colour(s.look.ks, s.gloss[i]);
+                sph_surface_colour(albedo, lit) + sph_surface_colour(s.shading.ks, s.gloss[i]);
             colour[i] = s.background ? albedo << 8 : all < 65280 ? all : 65280;
         }
-        uint32_t own = sph_share(s.weight, sph_look_own(&s.look, s.out_kr, s.out_kt));
+        uint32_t own = sph_share(s.weight, sph_shading_own(&s.shading, s.out_kr, s.out_kt));
         sph_shares_add(&s.shares, s.depth, s.weight, own, colour);
         s.state = Slot::TOLD;
     }
@@ -221,7 +222,7 @@ class Shares : public bench::Bench<Vrt_shares> {
         const Slot &s = slots[at];
         show("slot", at, SLOTW), show("weight", s.weight, 17), show("depth", s.depth, 4);
         show("effects_i", effects, SPH_EFFECT_BITS), show("background", s.background, 1);
-        show("sum", s.look.sum, 1), show("kr", s.out_kr, 9), show("kt", s.out_kt, 9);
+        show("sum", s.shading.sum, 1), show("kr", s.out_kr, 9), show("kt", s.out_kt, 9);
     }
 };
 

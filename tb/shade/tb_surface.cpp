@@ -37,8 +37,8 @@ extern "C" {
 #ifndef SMOOTH
 #define SMOOTH 0
 #endif
-#ifndef LOOKS
-#define LOOKS 0
+#ifndef MATERIALS
+#define MATERIALS 0
 #endif
 
 using bench::u128;
@@ -275,13 +275,13 @@ class Run {
         field("TEX", RT_MATERIAL_TEX, SPH_PRIM_TEX_LSB, TEXTURE);
         field("SMOOTH", RT_MATERIAL_SMOOTH, SPH_PRIM_SMOOTH_LSB, SMOOTH && smooths);
         field("BEND", RT_MATERIAL_BEND, SPH_PRIM_BEND_LSB, SPREAD && spreads);
-        field("KT", RT_MATERIAL_KT, SPH_PRIM_KT_LSB, LOOKS);
-        field("SUM", RT_MATERIAL_SUM, SPH_PRIM_SUM_LSB, LOOKS);
-        field("KA", RT_MATERIAL_KA, SPH_PRIM_KA_LSB, LOOKS);
-        field("KD", RT_MATERIAL_KD, SPH_PRIM_KD_LSB, LOOKS);
-        field("KS", RT_MATERIAL_KS, SPH_PRIM_KS_LSB, LOOKS);
-        field("POWER", RT_MATERIAL_POWER, SPH_PRIM_POWER_LSB, LOOKS);
-        field("INDEX", RT_MATERIAL_INDEX, SPH_PRIM_INDEX_LSB, LOOKS);
+        field("KT", RT_MATERIAL_KT, SPH_PRIM_KT_LSB, MATERIALS);
+        field("SUM", RT_MATERIAL_SUM, SPH_PRIM_SUM_LSB, MATERIALS);
+        field("KA", RT_MATERIAL_KA, SPH_PRIM_KA_LSB, MATERIALS);
+        field("KD", RT_MATERIAL_KD, SPH_PRIM_KD_LSB, MATERIALS);
+        field("KS", RT_MATERIAL_KS, SPH_PRIM_KS_LSB, MATERIALS);
+        field("POWER", RT_MATERIAL_POWER, SPH_PRIM_POWER_LSB, MATERIALS);
+        field("INDEX", RT_MATERIAL_INDEX, SPH_PRIM_INDEX_LSB, MATERIALS);
         slots[answer].state = Slot::FETCHED;
     }
 

@@ -138,15 +138,15 @@ static void cosines_end_at_one(void **state) {
 /* Light is at most 2^17-1, u2.15: that of one more lamp, and with the ambient one. */
 static void light_ends_at_seventeen_bits(void **state) {
     (void)state;
-    const struct sph_look whole = {.ka = 256, .kd = 256};
+    const struct sph_shading whole = {.ka = 256, .kd = 256};
     assert_int_equal(sph_light_add(131069, 32768, 1), 131070);
     assert_int_equal(sph_light_add(131070, 32768, 1), 131071);
     assert_int_equal(sph_light_add(131071, 32768, 1), 131071);
     assert_int_equal(sph_light_add(131071, 32768, 65535), 131071);
-    assert_int_equal(sph_look_light(&whole, 1, 131069), 131070);
-    assert_int_equal(sph_look_light(&whole, 1, 131070), 131071);
-    assert_int_equal(sph_look_light(&whole, 1, 131071), 131071);
-    assert_int_equal(sph_look_light(&whole, 65535, 131071), 131071);
+    assert_int_equal(sph_shading_light(&whole, 1, 131069), 131070);
+    assert_int_equal(sph_shading_light(&whole, 1, 131070), 131071);
+    assert_int_equal(sph_shading_light(&whole, 1, 131071), 131071);
+    assert_int_equal(sph_shading_light(&whole, 65535, 131071), 131071);
 }
 
 /* Of an interpolated normal one component alone is enough; none leaves the flat one. */
@@ -168,13 +168,13 @@ static void bends_along_one_axis(void **state) {
 /* What shares leave to the surface's own colour: nothing from 1 on, all of it in a sum. */
 static void own_share_ends_at_nothing(void **state) {
     (void)state;
-    struct sph_look look = {0};
-    assert_int_equal(sph_look_own(&look, 0, 0), 256);
-    assert_int_equal(sph_look_own(&look, 100, 155), 1);
-    assert_int_equal(sph_look_own(&look, 100, 156), 0);
-    assert_int_equal(sph_look_own(&look, 256, 256), 0);
+    struct sph_shading look = {0};
+    assert_int_equal(sph_shading_own(&look, 0, 0), 256);
+    assert_int_equal(sph_shading_own(&look, 100, 155), 1);
+    assert_int_equal(sph_shading_own(&look, 100, 156), 0);
+    assert_int_equal(sph_shading_own(&look, 256, 256), 0);
     look.sum = 1;
-    assert_int_equal(sph_look_own(&look, 100, 156), 256);
+    assert_int_equal(sph_shading_own(&look, 100, 156), 256);
 }
 
 /* A surface that follows a smooth one on a path is not smooth; its normal is its own. */

@@ -130,11 +130,11 @@ static void shares_are_the_blend(void **state) {
             for (int i = 0; i < 3; i++)
                 colour[i] = run % 5 ? (uint32_t)(sph_rng_next(&rng) % 65281) : 65280;
             int last = depth == most || !kr;
-            struct sph_look look = {.sum = 0};
+            struct sph_shading look = {.sum = 0};
             uint32_t left = last ? 0 : kr;
             sph_blend_add(&blend, colour, kr, last);
-            sph_shares_add(&shares, depth, weight, sph_share(weight, sph_look_own(&look, left, 0)),
-                           colour);
+            sph_shares_add(&shares, depth, weight,
+                           sph_share(weight, sph_shading_own(&look, left, 0)), colour);
             weight = sph_share(weight, kr);
             if (last) break;
         }
@@ -146,17 +146,18 @@ static void shares_are_the_blend(void **state) {
 /* Without words of its own a material has the light that it always had. */
 static void light_of_materials(void **state) {
     (void)state;
-    struct sph_look plain = {.ka = 256, .kd = 256}, sum = {.sum = 1, .ka = 77, .kd = 26};
+    struct sph_shading plain = {.ka = 256, .kd = 256}, sum = {.sum = 1, .ka = 77, .kd = 26};
     for (uint32_t ambient = 0; ambient < 65536; ambient += 1021)
         for (uint32_t lights = 0; lights < 131072; lights += 1531) {
             uint32_t all = ambient + lights;
-            assert_int_equal(sph_look_light(&plain, ambient, lights), all < 131071 ? all : 131071);
+            assert_int_equal(sph_shading_light(&plain, ambient, lights),
+                             all < 131071 ? all : 131071);
             double part = (77.0 * ambient + 26.0 * lights) / 256;
-            assert_true(fabs(sph_look_light(&sum, ambient, lights) - part) <= 1);
+            assert_true(fabs(sph_shading_light(&sum, ambient, lights) - part) <= 1);
         }
-    assert_int_equal(sph_look_own(&plain, 100, 50), 106);
-    assert_int_equal(sph_look_own(&plain, 200, 100), 0);
-    assert_int_equal(sph_look_own(&sum, 100, 50), 256);
+    assert_int_equal(sph_shading_own(&plain, 100, 50), 106);
+    assert_int_equal(sph_shading_own(&plain, 200, 100), 0);
+    assert_int_equal(sph_shading_own(&sum, 100, 50), 256);
 }
 
 int main(void) {

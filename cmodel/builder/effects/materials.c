@@ -23,7 +23,8 @@ static const struct sph_material *best(const struct sph_survey *s,
     const struct sph_material *best = NULL;
     for (uint32_t id = 0; id < w->n + w->facets->n; id++) {
         struct sph_grid_prim prim = sph_grid_prim_of(w->balls, w->n, w->facets, id);
-        const struct sph_material *m = &scene->materials[sph_grid_look(scene, &prim).material];
+        const struct sph_material *m =
+            &scene->materials[sph_grid_appearance(scene, &prim).material];
         if (m != best && weight(m) > (best ? weight(best) : 0)) best = m;
     }
     return best;

@@ -69,17 +69,16 @@ static int bounds(const struct sph_scene *scene, const double m[9], uint32_t but
 
 /* Makes the box of all smaller if the grid need not hold all of the largest sphere. Its number, or
  * that of spheres. */
-static uint32_t cut_ground(const struct sph_scene *scene, const double m[9], int w,
-                           struct sph_box *box) {
-    uint32_t ground = sph_huge_sphere_find(scene);
+static uint32_t cut_huge(const struct sph_scene *scene, const double m[9], int w,
+                         struct sph_box *box) {
+    uint32_t huge = sph_huge_sphere_find(scene);
     struct sph_box rest;
     double at[3];
-    if (ground == scene->n_spheres || bounds(scene, m, ground, &rest, NULL))
-        return scene->n_spheres;
+    if (huge == scene->n_spheres || bounds(scene, m, huge, &rest, NULL)) return scene->n_spheres;
     sph_box_add(&rest, (const double[3]){0, 0, 0}, 0); /* the eye */
-    sph_vec_turn(m, sph_vec_sub(scene->spheres[ground].ctr, scene->camera.from), at);
-    return sph_huge_sphere_cut(at, scene->spheres[ground].rad, &rest, w, box) ? ground
-                                                                              : scene->n_spheres;
+    sph_vec_turn(m, sph_vec_sub(scene->spheres[huge].ctr, scene->camera.from), at);
+    return sph_huge_sphere_cut(at, scene->spheres[huge].rad, &rest, w, box) ? huge
+                                                                            : scene->n_spheres;
 }
 
 /* Adds the corners of a room of planes. */
@@ -115,11 +114,11 @@ static struct sph_extent extent_of(const struct sph_grid *grid, const struct sph
 /* Whether the centre of a sphere that is not all on the grid lies there, a child of a node may be
  * as large, and all that is met of it lies on the grid. A child's radius has 14 bits, for which
  * centre, radius and the filter's margin are rounded up by no more than 5. */
-static int ground_fits(const struct sph_grid *grid, const struct sph_ball *ground,
-                       const struct sph_box *box) {
-    const struct sph_ball centre = {{ground->c[0], ground->c[1], ground->c[2]}, 0};
+static int huge_fits(const struct sph_grid *grid, const struct sph_ball *huge,
+                     const struct sph_box *box) {
+    const struct sph_ball centre = {{huge->c[0], huge->c[1], huge->c[2]}, 0};
     int less = grid->w > SPH_CHILD_RAD_BITS ? 5 << (grid->w - SPH_CHILD_RAD_BITS) : 1;
-    if (!sph_grid_fits(grid, &centre) || ground->r > (1 << grid->w) - less) return 0;
+    if (!sph_grid_fits(grid, &centre) || huge->r > (1 << grid->w) - less) return 0;
     for (int end = 0; end < 2; end++) {
         struct sph_ball corner = {.r = 0};
         for (int i = 0; i < 3; i++)
@@ -143,8 +142,7 @@ static int all_fit(const struct sph_grid *grid, const struct sph_scene *scene,
     }
     for (uint32_t i = 0; i < scene->n_spheres; i++) {
         ball = sph_grid_ball(grid, &scene->spheres[i]);
-        if (i == grid->ground ? !ground_fits(grid, &ball, box) : !sph_grid_fits(grid, &ball))
-            return 0;
+        if (i == grid->huge ? !huge_fits(grid, &ball, box) : !sph_grid_fits(grid, &ball)) return 0;
     }
     ball.r = 0;
     for (uint32_t i = 0; i < scene->n_facets; i++)
@@ -182,9 +180,9 @@ int sph_grid_fit(const struct sph_scene *scene, int w, int axes, struct sph_grid
         box.hi[i] += back[i] * grid->seen_from.ahead;
     }
     sph_box_add(&box, (const double[3]){0, 0, 0}, 0); /* the eye */
-    grid->ground = scene->n_spheres;
+    grid->huge = scene->n_spheres;
     if (!planes && !(grid->seen_from.ahead > 0))
-        grid->ground = cut_ground(scene, grid->rotation, w, &box);
+        grid->huge = cut_huge(scene, grid->rotation, w, &box);
     add_corners(scene, grid->rotation, &box);
     lit = box;
     if (add_lights(scene, grid->seen_from.from, grid->rotation, &lit, err)) return -1;

@@ -41,7 +41,7 @@ static int walls_of(const struct sph_scene *scene, struct wall walls[SPH_MAX_PLA
 
 /* Whether one can go on from the eye along v for ever, but for roundings; not asked of walls i and
  * j, along which v lies. */
-static int endless(const struct wall *walls, int n, int i, int j, struct sph_vec v) {
+static int unbounded(const struct wall *walls, int n, int i, int j, struct sph_vec v) {
     for (int k = 0; k < n; k++)
         if (k != i && k != j && sph_vec_dot(walls[k].normal, v) < -ROUNDING) return 0;
     return 1;
@@ -54,7 +54,7 @@ static int closed(const struct wall *walls, int n) {
         for (int j = 0; j < i; j++) {
             struct sph_vec v = sph_vec_cross(walls[i].normal, walls[j].normal);
             if (sph_vec_length(v) < ROUNDING) continue; /* parallel */
-            if (endless(walls, n, i, j, v) || endless(walls, n, i, j, scaled(v, -1))) return 0;
+            if (unbounded(walls, n, i, j, v) || unbounded(walls, n, i, j, scaled(v, -1))) return 0;
             pairs++;
         }
     return pairs > 0;

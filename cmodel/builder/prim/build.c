@@ -21,18 +21,18 @@ struct sph_grid_prim sph_grid_prim_of(const struct sph_ball *balls, uint32_t n_s
     return (struct sph_grid_prim){(uint32_t)f->kind, id, &balls[id], f, f->scene};
 }
 
-struct sph_grid_look sph_grid_look(const struct sph_scene *scene,
-                                   const struct sph_grid_prim *prim) {
+struct sph_grid_appearance sph_grid_appearance(const struct sph_scene *scene,
+                                               const struct sph_grid_prim *prim) {
     if (prim->facet) {
         const struct sph_facet *f = &scene->facets[prim->index];
-        return (struct sph_grid_look){f->material, f->texture, f->line};
+        return (struct sph_grid_appearance){f->material, f->texture, f->line};
     }
     const struct sph_sphere *s = &scene->spheres[prim->index];
-    return (struct sph_grid_look){s->material, s->texture, s->line};
+    return (struct sph_grid_appearance){s->material, s->texture, s->line};
 }
 
 static uint32_t passes(const struct sph_scene *scene, const struct sph_grid_prim *prim) {
-    return (uint32_t)scene->materials[sph_grid_look(scene, prim).material].passes;
+    return (uint32_t)scene->materials[sph_grid_appearance(scene, prim).material].passes;
 }
 
 void sph_put_record(const struct sph_scene *scene, const struct sph_grid_prim *prim,

@@ -52,10 +52,11 @@ struct sph_grid_prim sph_grid_prim_of(const struct sph_ball *balls, uint32_t n_s
                                       const struct sph_facets *facets, uint32_t id);
 
 /* What a primitive looks like, and where it stands in the file. */
-struct sph_grid_look {
+struct sph_grid_appearance {
     uint32_t material, texture, line; /* texture: index + 1, or 0 */
 };
-struct sph_grid_look sph_grid_look(const struct sph_scene *scene, const struct sph_grid_prim *prim);
+struct sph_grid_appearance sph_grid_appearance(const struct sph_scene *scene,
+                                               const struct sph_grid_prim *prim);
 
 /* Writes the leaf record of a primitive; and its primitive record but for what it looks like. */
 void sph_put_record(const struct sph_scene *scene, const struct sph_grid_prim *prim,

@@ -32,7 +32,7 @@ struct look {
 
 static void look(const struct sph_ref_job *j, int x, int y, struct look *out) {
     struct sph_ref_seen seen = {.log = &out->log};
-    sph_ref_look(j, x, y, &seen);
+    sph_ref_sample_of(j, x, y, &seen);
     for (int i = 0; i < 3; i++)
         out->rgb[i] = 255 * fmin(fmax(seen.sum[SPH_FRAMES - 1][i], 0), 1);
 }

@@ -40,7 +40,7 @@ double sph_ray_error_surface(const struct sph_ray_error *w, uint32_t id) {
         off = sph_grid_off(&w->grid, s->ctr);
         rad = round(s->rad / w->grid.step) * w->grid.step - s->rad;
     } else {
-        for (int k = 0; k < (sph_ref_facet_endless(f) ? 1 : 3); k++)
+        for (int k = 0; k < (sph_ref_facet_unbounded(f) ? 1 : 3); k++)
             off = fmax(off, sph_grid_off(&w->grid, f->v[k]));
     }
     return off + fabs(rad);
@@ -67,7 +67,7 @@ static double height(const struct sph_facet *f) {
 
 /* How far the roundings of its corners turn a triangle; of a plane's normal to 24 bits. */
 static double tilt(const struct sph_facet *f, double off) {
-    return sph_ref_facet_endless(f) ? ldexp(1, -22) : 2 * off / height(f);
+    return sph_ref_facet_unbounded(f) ? ldexp(1, -22) : 2 * off / height(f);
 }
 
 double sph_ray_error_dir(const struct sph_ray_error *w) {
@@ -85,7 +85,8 @@ int sph_ray_error_ended(const struct sph_ray_error *w, const struct sph_ref_log 
     for (int k = 0; k < log->n; k++) {
         const struct sph_ref_step *s = &log->step[k];
         const struct sph_facet *f = s->hit.id == SPH_ID_NONE ? NULL : facet_of(w, s->hit.id);
-        if (f && sph_ref_facet_endless(f) && s->hit.t > sph_ends_at(&ends, s->ray.org, s->ray.dir))
+        if (f && sph_ref_facet_unbounded(f) &&
+            s->hit.t > sph_ends_at(&ends, s->ray.org, s->ray.dir))
             return 1;
     }
     return 0;
@@ -117,7 +118,7 @@ void sph_ray_error_log(const struct sph_ray_error *w, const struct sph_ref_log *
         double rad = f ? INFINITY : w->scene->spheres[s->hit.id].rad;
         o->normal = (guard + quotient) / rad + (f ? tilt(f, off) : 0);
         o->turn = from.turn + 2 * (o->normal + o->across / rad) + dir;
-        if (f && sph_ref_facet_endless(f)) /* to its colour it is one which of both turns */
+        if (f && sph_ref_facet_unbounded(f)) /* to its colour it is one which of both turns */
             o->normal += sph_ends_turn(&ends, w->scene, s->ray.org, s->ray.dir, s->hit.t);
     }
 }
@@ -135,7 +136,7 @@ static double size(const struct sph_ray_error *w, uint32_t id) {
     if (id == SPH_ID_NONE) return INFINITY;
     const struct sph_facet *f = facet_of(w, id);
     if (!f) return w->scene->spheres[id].rad;
-    return sph_ref_facet_endless(f) ? INFINITY : height(f);
+    return sph_ref_facet_unbounded(f) ? INFINITY : height(f);
 }
 
 /* Distance at which a step's ray meets what another one's did. */

@@ -26,7 +26,7 @@ static uint32_t bends(const struct sph_scene *scene, const struct sph_plants *pl
     for (uint32_t id = 0; id < plants->n_spheres; id++) {
         struct sph_grid_prim prim =
             sph_grid_prim_of(plants->balls, plants->n_spheres, plants->facets, id);
-        if (!leaves(m, &scene->materials[sph_grid_look(scene, &prim).material])) continue;
+        if (!leaves(m, &scene->materials[sph_grid_appearance(scene, &prim).material])) continue;
         if (!n++) *first = prim.index;
         if (put)
             sph_field_set(sph_line(m, (uint32_t)m->regs[SPH_REG_PRIM_BASE] + id), SPH_PRIM_BEND_LSB,

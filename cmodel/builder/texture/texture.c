@@ -133,7 +133,7 @@ static int put_all(struct emit *e, struct sph_error *err) {
 static int emit(struct emit *e, uint32_t n, struct sph_error *err) {
     for (uint32_t id = 0; id < n; id++) {
         struct sph_grid_prim prim = prim_of(e->plants, id);
-        uint32_t texture = sph_grid_look(e->job.scene, &prim).texture;
+        uint32_t texture = sph_grid_appearance(e->job.scene, &prim).texture;
         if (!texture) continue;
         uint32_t *map = e->maps + (size_t)e->n_maps * SPH_LINE_WORDS;
         memset(map, 0, SPH_LINE_WORDS * sizeof *map);
@@ -185,7 +185,7 @@ int sph_emit_textures(const struct sph_scene *scene, const struct sph_grid *grid
     uint32_t n = scene->n_spheres + plants->facets->n, used = 0;
     for (uint32_t id = 0; id < n; id++) {
         struct sph_grid_prim prim = prim_of(plants, id);
-        used += sph_grid_look(scene, &prim).texture != 0;
+        used += sph_grid_appearance(scene, &prim).texture != 0;
     }
     entry->called = used > 0;
     if (!used) sph_note(entry->why, sizeof entry->why, "no primitive has an image");
