@@ -80,8 +80,8 @@ int main(int argc, char **argv) {
         b.tick();
         bool due = !lights.empty() && lights.front().due == b.cycle;
         b.expect("out_valid_o", b.dut.out_valid_o, due, 1);
-        b.expect("shadow_go_o or unshadowed_valid_o",
-                 b.dut.shadow_go_o + b.dut.unshadowed_valid_o, due, 2);
+        b.expect("shadow_go_o or unshadowed_valid_o", b.dut.shadow_go_o + b.dut.unshadowed_valid_o,
+                 due, 2);
         if (!due) {
             if (b.bad()) b.done();
             continue;
