@@ -24,7 +24,7 @@ page, folder = sys.argv[1:]
 text = open(page, encoding="utf-8").read()
 printed = {name: open(f"{folder}/{name}", encoding="utf-8").read()
            for name in ("built", "stages", "three.mem.hex")}
-shown = [("built", line) for line in re.findall("^(?:effect|psnr|pixels|wrong) .*", text, re.M)]
+shown = [("built", line) for line in re.findall("^(?:effect|psnr|pixels|wrong)  .*", text, re.M)]
 shown += [("three.mem.hex", word) for word in re.findall("^[0-9a-f]{64}", text, re.M)]
 numbers = re.findall(r"0x[0-9a-f]+ \(=[^)]*\)", text.partition("## 4.")[0])
 shown += [("stages", number) for number in numbers]
