@@ -6,6 +6,7 @@
 # every kind of tree, with several engines and pipes, random latency and stalls. Then faults in
 # copies of the RTL, one a stage, of which the first line that differs is of that stage.
 #   CORE=pattern  only the frames and faults whose name has the pattern in it
+#   ALL=1         a fault in each stage, not in every other one
 set -u
 . "$(dirname "$0")/../tap.sh"
 cd "$(dirname "$0")/../.." || exit 1
@@ -105,22 +106,23 @@ noticed() { # STAGE FILE FROM TO
     grep -q "^  model: ray 0 primary | $1 " "$TMP/first" &&
         grep -q "^  core:  ray 0 primary | $1 " "$TMP/first"
 }
+more() { [ -z "${ALL:-}${CORE:-}" ] || fault "$@"; }
 fault() {
     case "fault $1" in
     *"$CORE"*) check "a fault in $2 is seen at its stage, $1" noticed "$@" ;;
     esac
 }
-fault set-up trace/rt_setup.v "ray_a_q <= s4_vv_q;" "ray_a_q <= s4_vv_q ^ 34'd1;"
+more set-up trace/rt_setup.v "ray_a_q <= s4_vv_q;" "ray_a_q <= s4_vv_q ^ 34'd1;"
 fault filter trace/rt_filter.v "s6_p_q <= s5_p_q[17-F +: MW] ^ {MW{s5_p_q[33]}};" \
     "s6_p_q <= s5_p_q[17-F +: MW] ^ {MW{!s5_p_q[33]}};"
-fault sphere prim/rt_leaf_two.v "val_q <= xy_sum[VW:1];" \
+more sphere prim/rt_leaf_two.v "val_q <= xy_sum[VW:1];" \
     "val_q <= xy_sum[VW:1] ^ {{(VW-1){1'b0}}, xy_sub};"
 fault key prim/rt_root_pool.v ": b_q - wide;" ": b_q - wide - 1'b1;"
-fault quotient math/rt_quotient.v "mant_q[MW-1 -: PQ];" "mant_q[MW-1 -: PQ] ^ 17'd1;"
-fault point shade/rt_hit.v "{s4_org[KB:1], 1'b1}" "{s4_org[KB:1], 1'b0}"
+more quotient math/rt_quotient.v "mant_q[MW-1 -: PQ];" "mant_q[MW-1 -: PQ] ^ 17'd1;"
+more point shade/rt_hit.v "{s4_org[KB:1], 1'b1}" "{s4_org[KB:1], 1'b0}"
 fault normal shade/rt_hit.v ".out_x_o(out_normal_x_o), .out_y_o(out_normal_y_o)" \
     ".out_x_o(out_normal_y_o), .out_y_o(out_normal_x_o)"
-fault light shade/rt_lambert.v "+ 21'sd1;" "+ 21'sd3;"
+more light shade/rt_lambert.v "+ 21'sd1;" "+ 21'sd3;"
 fault colour shade/rt_blend.v "s2_ax_q[24:6] + 19'd1;" "s2_ax_q[24:6] + 19'd9;"
 
 # ---- what cannot be followed ----
