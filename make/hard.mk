@@ -60,11 +60,11 @@ $B/test/hard.sanitized: $(HARD_C:%.c=$B/test/asan/%.o) $B/asan/obj/cmodel/tool/p
 	$(call say,LD,$(@F))
 	$(call make_whole,$(CC) $(SANITIZE) $^ $(HARD_LIBS))
 
-# Close-ups of what floats get wrong, and their counts, into docs/results/hard_pictures.md.
+# Close-ups of what floats get wrong, and their counts, into docs/results/hard_cases.md.
 PICTURES_C := $(sort $(wildcard tests/hard/pictures/*.c))
-hard-pictures: $B/test/hard-pictures ## pictures and counts of docs/results/hard_pictures.md
+hard-pictures: $B/test/hard-pictures ## pictures and counts of docs/results/hard_cases.md
 	@$< tests/hard/pictures docs/pictures >$B/test/hard.counts && cat $B/test/hard.counts
-	@python3 -m lab place docs/results/hard_pictures.md "make hard-pictures" counts \
+	@python3 -m lab place docs/results/hard_cases.md "make hard-pictures" counts \
 	    $B/test/hard.counts
 
 $B/test/hard-pictures: $(PICTURES_C:%.c=$B/test/obj/%.o) $B/test/libhard.a $(IMAGE) $(LIB)

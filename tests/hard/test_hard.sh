@@ -45,13 +45,13 @@ check "hard_cases.campaign.tsv: 5 million cases of every family in each profile,
 pictures() { # the same pixels and counts; the model shows no other sphere
     mkdir -p "$TMP/pictures" || return 1
     "$hard-pictures" tests/hard/pictures "$TMP/pictures" >"$TMP/counts" || return 1
-    block counts hard_pictures | diff - "$TMP/counts" || return 1
+    block counts hard_cases | diff - "$TMP/counts" || return 1
     for file in "$TMP"/pictures/*.png docs/pictures/hard_*.png; do
         picture=$(basename "$file")
         "$SPHAERA" compare "docs/pictures/$picture" "$TMP/pictures/$picture" || return 1
     done
 }
-check "docs/results/hard_pictures.md: pictures and counts of make hard-pictures" pictures
+check "docs/results/hard_cases.md: pictures and counts of make hard-pictures" pictures
 
 # ---- generated cases ----
 run() { "$hard" --seed "${SEED:-1}" "$@"; }

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * usage: hard-pictures SCENES PICTURES      folders; prints the table of
- * docs/results/hard_pictures.md
+ * docs/results/hard_cases.md
  *
  * Each picture has four fields: two ways of float32, ours, and the wrong pixels of the first one.
  * Exit code: 0 if ours shows the right sphere in every pixel, 1 if not, 2 for files.
