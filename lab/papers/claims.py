@@ -263,7 +263,8 @@ AROXA = [
      "a tree by surface area draws paper100 {heuristic} times as fast as the best BIH does; "
      "visits of nodes bind both ([scenarios.md](scenarios.md#beside-the-other-trees))",
      "make scenarios-rtl", "other"),
-    ("V.B", "other platforms", "hardware that any host may drive ([host.md](host.md))",
+    ("V.B", "other platforms",
+     "hardware that any host may drive ([mutants.md](mutants.md#the-life-of-a-host))",
      "make host", "built"),
     ("V.B", "other primitives", "triangles, planes, cones and cylinders as triangles; parametric "
      "and algebraic surfaces have to be cut into such", "make sim SCENE=facets/room", "built"),

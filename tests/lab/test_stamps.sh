@@ -29,8 +29,8 @@ check "bart" nothing lab bart-page $results/bart.md empty 48x27 kitchen:400:50 r
 check "truth" nothing lab truth-page $results/truth.md empty docs/pictures/truth
 check "study" nothing lab study-page --only-tables $results/accuracy.md empty empty/study
 check "area" nothing lab area-page $results/area.md empty standard-ecp5-all-engines1
-check "fuzz" nothing lab fuzz-page empty/runs.tsv $results/fuzz.md
-check "one table" nothing lab place $results/host.md "make host-page" events empty/events
+check "fuzz" nothing lab fuzz-page empty/runs.tsv $results/mutants.md
+check "one table" nothing lab place $results/mutants.md "make host-page" events empty/events
 
 # ---- what is there is put and stamped, what lacks something is not ----
 cat >put.py <<'END'
