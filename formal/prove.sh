@@ -117,7 +117,8 @@ lemma() { # every check-sat says what `:status` before it says
 }
 program() { # with the model's own functions; exit 0: all inputs hold, 1: one does not
     sources= sets=
-    for f in trace/filter trace/across trace/setup prim/leaf math/rsqrt math/isqrt math/quotient; do
+    for f in trace/filter trace/across trace/setup prim/leaf math/rsqrt math/isqrt math/quotient \
+        core/stages; do
         sources="$sources cmodel/$f.c"
     done
     for p in $3; do sets="$sets -D$p"; done
