@@ -1,6 +1,7 @@
 # __main__.py - python3 -m lab: one command for all that measures, studies and writes pages
 # SPDX-License-Identifier: Apache-2.0
 import argparse
+import difflib
 import importlib
 import os
 import re
@@ -117,8 +118,15 @@ def main(words):
         return experiment(found[name], rest)
     if name in table.COMMANDS:
         return command(name, rest)
-    sys.exit(f"there is no command {name}: python3 -m lab --help")
+    meant = difflib.get_close_matches(name, [*found, *table.COMMANDS], 1)
+    sys.exit(f"there is no command {name}" + (f"; is {meant[0]} meant?" if meant else "") +
+             ": python3 -m lab --help")
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    try:
+        sys.exit(main(sys.argv[1:]))
+    except BrokenPipeError:     # who reads has seen enough
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    except (ModuleNotFoundError, OSError, UnicodeError) as why:
+        sys.exit(f"lab {sys.argv[1]}: {why}")

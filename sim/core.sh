@@ -98,7 +98,7 @@ target "$key-$goal" "$goal" KEY="$key" PROFILE="$profile" CORE="$core" \
     echo "$BUILD/sim/$key"
     exit
 }
-repeat="EFFECTS=$EFFECTS ENGINES=$ENGINES"
+repeat="${RTL:+RTL=$RTL }EFFECTS=$EFFECTS ENGINES=$ENGINES"
 [ "$PIPES $LEAF_UNITS $SHADES" = "1 0 0" ] ||
     repeat="$repeat PIPES=$PIPES LEAF_UNITS=$LEAF_UNITS SHADES=$SHADES"
 repeat="$repeat ROOT_STEP=$ROOT_STEP QUOTIENT_STEP=$QUOTIENT_STEP${SIZES:+ SIZES=$SIZES}"

@@ -62,14 +62,12 @@ struct sph_accuracy sph_accuracy_measure(const struct sph_accuracy_frame *f,
     for (uint64_t i = 0; i < e.image.pixels; i++) {
         const struct sph_pixel *p = &f->frame->pixels[i];
         const struct sph_reference_pixel *r = &reference->pixels[i];
-        if (p->id != r->id || p->id == SPH_ID_NONE || r->doubt & SPH_DOUBT_SEEN) continue;
+        if (p->id != r->id || p->id == SPH_ID_NONE || r->doubt) continue;
         uint32_t faced = scene_lights(f, f->trails[i].faced) & r->faced;
         e.same++;
-        if (!r->doubt) {
-            e.shadow += ((scene_lights(f, f->trails[i].blocked) ^ r->shadow) & faced) != 0;
-            e.reflected += f->trails[i].reflected_id != r->reflected_id;
-            e.refracted += f->trails[i].refracted_id != r->refracted_id;
-        }
+        e.shadow += ((scene_lights(f, f->trails[i].blocked) ^ r->shadow) & faced) != 0;
+        e.reflected += f->trails[i].reflected_id != r->reflected_id;
+        e.refracted += f->trails[i].refracted_id != r->refracted_id;
         int x = (int)(i % (uint64_t)f->frame->width), y = (int)(i / (uint64_t)f->frame->width);
         double off = fabs(distance(f->machine, x, y, p->key) - expected(f, x, y, r->distance));
         sum += off;

@@ -29,12 +29,14 @@ struct sph_image_error sph_reference_compare(const struct sph_frame *frame,
         const struct sph_pixel *p = &frame->pixels[i];
         const struct sph_reference_pixel *r = &reference->pixels[i];
         int worst = 0;
-        e.undecidable += r->doubt != 0;
-        for (int layer = 0; layer < SPH_FRAMES && !r->doubt; layer++)
+        if (r->doubt) {
+            e.undecidable++;
+            continue;
+        }
+        for (int layer = 0; layer < SPH_FRAMES; layer++)
             worst = differ(p->colour[layer], r->colour[layer], &sum[layer]);
         e.far_off += worst > FAR_OFF;
         e.worst = worst > e.worst ? worst : e.worst;
-        if (r->doubt & SPH_DOUBT_SEEN) continue;
         if ((p->id == SPH_ID_NONE) != (r->id == SPH_ID_NONE))
             e.silhouette++;
         else if (p->id != r->id)

@@ -80,6 +80,11 @@ def chosen(found, pattern, by):
     return picked
 
 
+def nothing(asked, found):
+    return (f"faults: no fault has {asked.pattern} in its name or judge"
+            + records.nearest(asked.pattern, [record.name for record in found]))
+
+
 class Tap:
     def __init__(self):
         self.count, self.bad = 0, 0
@@ -113,8 +118,7 @@ def run(asked):
               for record, judges in chosen(found, asked.pattern, asked.by)]
     picked = [(record, judges) for record, judges in picked if judges]
     if not picked:
-        sys.exit(f"lab.faults: no fault has {asked.pattern} in its name or judge"
-                 + records.nearest(asked.pattern, [record.name for record in found]))
+        sys.exit(nothing(asked, found))
     shop, tap = Shop(asked.build), Tap()
 
     def ask(record, judges, name=""):
@@ -143,7 +147,7 @@ def run(asked):
             for judge, (what, how, log) in zip(judges, said):
                 tell(tap, record, judge, what, how, log)
     except Broken as why:
-        sys.exit(f"lab.faults: {why}")
+        sys.exit(f"faults: {why}")
     finally:
         shop.close()
         pool.shutdown(cancel_futures=True)
@@ -168,7 +172,7 @@ def program(asked):
     record = next((r for r in records.read() if r.name == asked.name), None)
     judge = next((j for j in record.judges if j.kind == "hard"), None) if record else None
     if not judge:
-        sys.exit(f"lab.faults: {asked.name}: no fault of that name is noticed by a hard case")
+        sys.exit(f"faults: {asked.name}: no fault of that name is noticed by a hard case")
     shop = Shop(asked.build)
     try:
         shop.prepare([judge])
@@ -190,7 +194,10 @@ def main(words):
             text = records.edited(asked.file, asked.old, asked.new)
             intact.write(asked.file, text)
             return
-        picked = chosen(records.read(asked.list), asked.pattern, asked.by)
+        found = records.read(asked.list)
+        picked = chosen(found, asked.pattern, asked.by)
+        if not picked:
+            sys.exit(nothing(asked, found))
         if asked.command == "table":
             table.tell(picked)
         else:

@@ -317,7 +317,8 @@ std::string repeat_command(const Options &o, const Window &w) {
         std::snprintf(text, sizeof text, " --reg %d=%d", r.number, r.value);
         command += text;
     }
-    if (o.pixel[0] >= 0)
+    bool drawn = o.pixel[0] >= w.x0 && o.pixel[0] < w.x1 && o.pixel[1] >= w.y0 && o.pixel[1] < w.y1;
+    if (drawn)
         command += " --pixel " + std::to_string(o.pixel[0]) + "," + std::to_string(o.pixel[1]);
     if (o.spoil >= 0) command += " --spoil " + std::to_string(o.spoil);
     if (o.bus_error_at >= 0) command += " --bus-error-at " + std::to_string(o.bus_error_at);
