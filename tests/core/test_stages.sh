@@ -6,7 +6,7 @@
 # every kind of tree, with several engines and pipes, random latency and stalls. Then faults in
 # copies of the RTL, one a stage, of which the first line that differs is of that stage.
 #   CORE=pattern  only the frames and faults whose name has the pattern in it
-#   ALL=1         a fault in each stage, not in every other one
+#   ALL=1         every core, and a fault in each stage, not in every other one
 set -u
 . "$(dirname "$0")/../tap.sh"
 cd "$(dirname "$0")/../.." || exit 1
@@ -36,6 +36,8 @@ frame() { # NAME SETTINGS PIXEL...
     done
 }
 
+also() { [ -z "${ALL:-}${CORE:-}" ] || frame "$@"; }
+
 glass=tests/scenes/refraction/glass.nff mixed=tests/scenes/refraction/mixed.nff
 room=scenes/facets/room.nff
 machine glass $glass --depth 6
@@ -58,14 +60,14 @@ frame mixed EFFECTS=$every 8,6 11,4
 frame inside EFFECTS=$every 8,6
 frame textures EFFECTS=$every 8,6 4,8
 frame first EFFECTS=$every 8,6 10,5
-frame triangles "EFFECTS=auto PIPES=4" 8,6 5,9
+also triangles "EFFECTS=auto PIPES=4" 8,6 5,9
 frame textures "EFFECTS=auto ENGINES=2 PIPES=2 SHADES=2" 5,9
 frame plane EFFECTS=auto 5,11
-frame smooth EFFECTS=auto 8,6
+also smooth EFFECTS=auto 8,6
 frame boxes EFFECTS=auto 4,10
 frame bih EFFECTS=auto 4,10
-frame cut EFFECTS=auto 3,2
-frame wide EFFECTS=auto 4,3
+also cut EFFECTS=auto 3,2
+also wide EFFECTS=auto 4,3
 # A core without reflections rounds a colour as it is made.
 case plain in *"$CORE"*)
     check "plain: what a core has no wire for is told" \
@@ -120,7 +122,7 @@ more sphere prim/rt_leaf_two.v "val_q <= xy_sum[VW:1];" \
 fault key prim/rt_root_pool.v ": b_q - wide;" ": b_q - wide - 1'b1;"
 more quotient math/rt_quotient.v "mant_q[MW-1 -: PQ];" "mant_q[MW-1 -: PQ] ^ 17'd1;"
 more point shade/rt_hit.v "{s4_org[KB:1], 1'b1}" "{s4_org[KB:1], 1'b0}"
-fault normal shade/rt_hit.v ".out_x_o(out_normal_x_o), .out_y_o(out_normal_y_o)" \
+more normal shade/rt_hit.v ".out_x_o(out_normal_x_o), .out_y_o(out_normal_y_o)" \
     ".out_x_o(out_normal_y_o), .out_y_o(out_normal_x_o)"
 more light shade/rt_lambert.v "+ 21'sd1;" "+ 21'sd3;"
 fault colour shade/rt_blend.v "s2_ax_q[24:6] + 19'd1;" "s2_ax_q[24:6] + 19'd9;"
