@@ -178,9 +178,9 @@ cp scenes/inside.nff "$elsewhere/a/x.nff"
 cp scenes/paper5.nff "$elsewhere/b/x.nff"
 cp scenes/texture/*.png scenes/texture/hall.nff "$elsewhere"
 check "inside" shows scenes/inside.nff SCENE=inside
-first=$(readlink "$BUILD/out/last")
+first=$(sed -n 's,^picture \(.*\)/model.png$,\1,p' "$TMP/text") # last may be of another call
 check "effects/inside is another" shows scenes/effects/inside.nff SCENE=effects/inside
-check "... and the first is as it was" [ "$("$SPHAERA" render "$BUILD/out/$first/scene.sph" |
+check "... and the first is as it was" [ "$("$SPHAERA" render "$first/scene.sph" |
     grep '^frame')" = "$(hash_of scenes/inside.nff)" ]
 check "a/x.nff, of the folder where make was called" shows "$elsewhere/a/x.nff" SCENE=a/x.nff
 check "b/x.nff is another" shows "$elsewhere/b/x.nff" SCENE=b/x.nff
@@ -196,16 +196,18 @@ check "... is seen" [ "$before" != "$(grep '^frame' "$TMP/text")" ]
 from_elsewhere render SCENE=random:30 SEED=5 >"$TMP/text" 2>&1
 "$SPHAERA" gen random:30 --seed 5 -o "$TMP/random.nff" >"$TMP/text2"
 check "a seed of a generated scene" grep -x "$(hash_of "$TMP/random.nff")" "$TMP/text"
-ours=$(sed -n 's,^picture \(.*\)/model.png$,\1,p' "$TMP/text") # last may be of another call
+ours=$(sed -n 's,^picture \(.*\)/model.png$,\1,p' "$TMP/text")
 echo damaged >"$ours/key"
 refused=0
 from_elsewhere render SCENE=random:30 SEED=5 >"$TMP/text" 2>"$TMP/err" || refused=$?
 check "a folder of another key is left alone" says "belongs to another run"
 rm -r "$ours"
 check "a simulation from elsewhere" from_elsewhere sim SCENE="b/my scene's.nff" SIM=icarus SIZE=6x4
-check "... leaves a report in the last folder" test -s "$BUILD/out/last/report.json"
-check "... and pictures" test -s "$BUILD/out/last/side-by-side.png"
-harness() { "$BUILD/sim/tb_core_icarus" --machine "$BUILD/out/last/scene.sph" --info "$@"; }
+left() { sed -n 's,^pictures and report in \(.*\)/$,\1,p' "$TMP/out"; }
+last=$(left)
+check "... leaves a report in its folder" test -s "$last/report.json"
+check "... and pictures" test -s "$last/side-by-side.png"
+harness() { "$BUILD/sim/tb_core_icarus" --machine "$last/scene.sph" --info "$@"; }
 check "a register that is overwritten asks for no other core" \
     [ "$(harness)" = "$(harness --reg 0=0)" ]
 refused=0
@@ -214,8 +216,9 @@ check "a window outside the scene's own size is refused before a core is built" 
     says "the window is empty or not inside the frame"
 check "four samples a pixel" from_elsewhere sim SCENE="b/my scene's.nff" SIM=icarus SIZE=6x4 \
     SAMPLES=2 WINDOW=1,1,5,3
-check "... of twice the window" grep -q "32 pixels, 0 mismatches" "$BUILD/out/last/log"
-check "... are the mean of the core's light" sh -c "cd '$BUILD/out/last' &&
+last=$(left)
+check "... of twice the window" grep -q "32 pixels, 0 mismatches" "$last/log"
+check "... are the mean of the core's light" sh -c "cd '$last' &&
     oiiotool rtl.png model.png --absdiff --printstats | grep 'Stats Max: 0.0* 0.0* 0.0*' &&
     oiiotool --info rtl.png | grep '6 x  *4,'"
 
