@@ -57,21 +57,22 @@ static int by(uint32_t a, uint32_t b) {
     return (a > b) - (a < b);
 }
 
+static int is_test(const struct sph_stage_line *l) {
+    return l->stage >= SPH_STAGE_SPHERE && l->stage <= SPH_STAGE_KEY;
+}
+
 /* All of a visit is of one stage; of its tests those of one primitive stand together. */
 static int group(const struct sph_stage_line *l) {
-    if (l->visit || (l->stage >= SPH_STAGE_SPHERE && l->stage <= SPH_STAGE_KEY))
-        return SPH_STAGE_NODE;
-    return l->stage;
+    return l->visit || is_test(l) ? SPH_STAGE_NODE : l->stage;
 }
 
 int sph_stages_order(const struct sph_stage_line *a, const struct sph_stage_line *b) {
-    int tests_a = a->stage >= SPH_STAGE_SPHERE && a->stage <= SPH_STAGE_KEY;
-    int tests_b = b->stage >= SPH_STAGE_SPHERE && b->stage <= SPH_STAGE_KEY;
+    int tests = is_test(a) && is_test(b);
     int order = (a->ray > b->ray) - (a->ray < b->ray);
     if (!order) order = group(a) - group(b);
     if (!order) order = by(a->visit, b->visit);
-    if (!order) order = tests_a && tests_b ? by(a->number, b->number) : a->stage - b->stage;
-    if (!order) order = tests_a && tests_b ? a->stage - b->stage : by(a->number, b->number);
+    if (!order) order = tests ? by(a->number, b->number) : a->stage - b->stage;
+    if (!order) order = tests ? a->stage - b->stage : by(a->number, b->number);
     return order;
 }
 

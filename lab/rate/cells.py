@@ -7,6 +7,7 @@ import sys
 from . import cores
 from .pipes import FEW, RULE
 from ..pages.place import place
+from ..runner import said
 from ..synth import report, results
 
 COLUMNS = ["mult", "lut4eq_ram", "ff", "bram"]
@@ -17,9 +18,9 @@ def cells(build, core):
     """The counts of a core by the keys of results.py."""
     print(f"  SYN  pipes: {core.name()}", file=sys.stderr, flush=True)
     of = {"PROFILE": "standard", "EFFECTS": cores.SPHERES, **core.variables()}
-    cores.run("make", "--no-print-directory", f"B={build}", "synth",
-              *(f"{name}={value}" for name, value in of.items()))
-    key = cores.run("sim/cores.py", "key", of["PROFILE"], of["EFFECTS"], "ecp5", **core.variables())
+    said("make", "--no-print-directory", f"B={build}", "synth",
+         *(f"{name}={value}" for name, value in of.items()))
+    key = said("sim/cores.py", "key", of["PROFILE"], of["EFFECTS"], "ecp5", **core.variables())
     return results.read(f"{build}/synth/{key.strip()}")["core"]
 
 

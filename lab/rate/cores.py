@@ -3,18 +3,16 @@
 """What was measured lies in rate/DIGEST/ of the build folder, where DIGEST is that of RTL, model
 and scenes, and is not measured again."""
 import json
-import os
-import subprocess
 import sys
 from collections import namedtuple
 from pathlib import Path
 
 from .. import intact
 from ..jobs import store
+from ..runner import said, scene_file
 
 SOURCES = ["rtl/*/*.v", "rtl/*/*.vh", "cmodel/*/*.[ch]", "scenes/**/*.nff",
            "tool:verilator"]
-PROTEIN = "/usr/share/pymol/data/demo/1tii.pdb"
 SPHERES = "shadow+reflect2+lights3+inside+spans"
 GLASS = "shadow+reflect2+lights1+inside+facets+refract+specular+sum"
 
@@ -32,15 +30,6 @@ class Core(namedtuple("Core", "pipes leaf_units shades")):
         return str(self.pipes) + (f", {' and '.join(given)}" if given else "")
 
 
-def run(*words, **variables):
-    """What a command prints."""
-    done = subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
-                          env=dict(os.environ, **variables), check=False)
-    if done.returncode:
-        sys.exit(f"rate: {' '.join(words)}:\n{done.stdout[-2000:]}{done.stderr[-2000:]}")
-    return done.stdout
-
-
 class Bench:
     """Where runs lie."""
 
@@ -56,15 +45,9 @@ class Bench:
         built = self.folder / f"{stem}-{self.size}.sph"
         if built.exists():
             return built
-        source = Path("scenes") / f"{scene}.nff"
-        if scene == "protein":
-            source = self.folder / f"{stem}.nff"
-            run(tool, "import", PROTEIN, "-o", str(source))
-        elif ":" in scene:
-            source = self.folder / f"{stem}.nff"
-            run(tool, "gen", scene, "--seed", "1", "-o", str(source))
-        run(tool, "build", str(source), "--profile", "standard", "--size", self.size, "--depth",
-            "2", "--background", "spans" if "spans" in effects else "none", "-o", str(built))
+        source = scene_file(tool, scene, self.folder / f"{stem}.nff")
+        said(tool, "build", source, "--profile", "standard", "--size", self.size, "--depth", "2",
+             "--background", "spans" if "spans" in effects else "none", "-o", built)
         return built
 
     def counted(self, scene, effects, core, *options):
@@ -75,8 +58,8 @@ class Bench:
         if not path.exists():
             print("  RUN ", path.stem, flush=True)
             with intact.beside(path) as new:
-                run("sh", "sim/core.sh", "--machine", str(machine), "--json", new, *options,
-                    EFFECTS=effects, BUILD=self.build, **core.variables())
+                said("sh", "sim/core.sh", "--machine", machine, "--json", new, *options,
+                     EFFECTS=effects, BUILD=self.build, **core.variables())
         report = json.loads(path.read_text("utf-8"))
         if report["mismatches"]:
             sys.exit(f"rate: {path}: {report['mismatches']} pixels differ")

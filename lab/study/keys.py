@@ -3,6 +3,8 @@
 """A key is words NAME=VALUE in the order of FIELDS; lab/jobs/store.py keeps what came of it."""
 import sys
 
+from ..runner import PROTEIN
+
 # kind: words of its key, each with what it is if not given; tree: as `sphaera build` has it, the
 # one that it takes by itself, or bih
 COMMON = {"profile": "standard", "scene": None, "size": None, "tree": "default",
@@ -18,7 +20,6 @@ MODEL = [f"cmodel/{d}/*.[ch]" for d in (
     "reference", "scene", "shade", "texture", "trace")]
 BUILD = [f"cmodel/{d}/*.[ch]" for d in ("builder", "scene")] + ["cmodel/machine/machine.def"]
 RTL = ["rtl/*/*.v", "rtl/*/*.vh"]
-PROTEIN = "/usr/share/pymol/data/demo/1tii.pdb"
 
 
 def job(kind, **words):

@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: Apache-2.0
 from pathlib import Path
 
+from ..runner import PROTEIN
+
 SIZE = (320, 180)
 PROFILES = ["auto", "draft", "standard", "fine", "reference"]
-PROTEIN = "/usr/share/pymol/data/demo/1tii.pdb"
 GENERATED = ["balls:3", "mount:4", "tetra:4", "shells:4", "rings:3", "lattice:3", "jacks:3",
              "tree:4", "sphereflake:4", "icosphere:4", "random:1000", "scenario2:64", "cover",
              "cornell", "horizon"]
