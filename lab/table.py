@@ -107,6 +107,8 @@ GROUPS = {
         ("budget", "synth.budget", "FOLDER BUDGET...", "is a core within its budget?"),
         ("placed", "synth.placed", "REPORT LOG ROUTED SECONDS VERSION",
          "what nextpnr says, in short"),
+        ("placed-between", "synth.between", "NETLIST",
+         "the registers that a core is placed between, Verilog"),
         ("slow-paths", "synth.families", "SDF [LINES]", "slow paths of a placed core"),
     ),
     "faults and proofs": (
@@ -144,6 +146,8 @@ GROUPS = {
         ("truth-points", "truth.points", "FOLDER NAME...", "tests/reference/povray.txt"),
     ),
     "files of the tree that a program writes": (
+        ("layout", "generate.every", "--check-ports [FOLDER]",
+         "what follows from machine.def, top.def, bundles.def, modes.def, VERSION, files of rtl"),
         ("texture-images", "textures.images", "[FOLDER]", "images of scenes/texture"),
         ("texture-scenes", "textures.scenes", "[FOLDER]", "scenes of scenes/texture"),
         ("asks", "effects.asks", "TOOL", "docs/results/data/asks.tsv: what each scene asks for"),
