@@ -147,7 +147,7 @@ GROUPS = {
     ),
     "files of the tree that a program writes": (
         ("layout", "generate.every", "--check-ports [FOLDER]",
-         "what follows from machine.def, top.def, bundles.def, modes.def, VERSION, files of rtl"),
+         "what follows from the .def files, VERSION and files of rtl: make layout"),
         ("texture-images", "textures.images", "[FOLDER]", "images of scenes/texture"),
         ("texture-scenes", "textures.scenes", "[FOLDER]", "scenes of scenes/texture"),
         ("asks", "effects.asks", "TOOL", "docs/results/data/asks.tsv: what each scene asks for"),

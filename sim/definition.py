@@ -5,9 +5,11 @@ import re
 import sys
 from collections import namedtuple
 
-NAME = os.path.normpath(os.path.join(os.path.dirname(__file__), "../cmodel/machine/machine.def"))
+NAME = os.path.join(os.path.dirname(__file__), "../cmodel/machine/machine.def")
 WIDTHS = ("w", "wd", "pq", "ng", "fw", "pr")     # of a profile, in this order
 KEYS = ("core", "bit", "most", "all", "asked", "option", "needs", "excludes")   # of an effect
+LEAST = {"kind": 2, "field": 4, "reg": 2, "counter": 4, "error": 2, "profile": 7, "width": 7}
+SHORT = "too few words, or no number where one stands"
 OPTIONS = ("when", "count", "off", "none")
 
 # core: its parameter; bit: of register EFFECTS, or None; all: of the core `all`
@@ -36,7 +38,7 @@ class Definition:
                     (self.effect if kind in ("effect", "part", ":") else self.other)(
                         kind, words, text)
                 except (IndexError, ValueError):
-                    self.fail(f"{kind}: too few words, or no number where one stands")
+                    self.fail(f"{kind}: {SHORT}")
                 if kind in ("effect", "part"):
                     at[words[0]] = self.line
         for self.line, effect in zip(at.values(), self.effects.values()):
@@ -47,7 +49,7 @@ class Definition:
                     self.fail(f"{effect.name}: there is no {word}")
 
     def fail(self, why):
-        raise Unsound(f"{NAME}:{self.line}: {why}")
+        raise Unsound(f"{os.path.relpath(NAME)}:{self.line}: {why}")
 
     def behind(self, mark, text, words, what):
         found = re.match(f"{mark} : (.*)", text)
@@ -56,7 +58,7 @@ class Definition:
     def effect(self, kind, words, text):
         if kind != ":":
             self.keys(kind, words)
-        name, effect = next(reversed(self.effects.items()))
+        name, effect = [*self.effects.items()][-1]
         if not effect.about and re.search("(^| ): ", text):
             self.effects[name] = effect._replace(about=re.sub("^(.* )?: ", "", text))
 
@@ -88,6 +90,8 @@ class Definition:
         self.effects[name] = found
 
     def other(self, kind, words, text):
+        if len(words) < LEAST.get(kind, 0):
+            raise IndexError
         if kind == "size":
             about = self.behind(".*", text, words, "what it is does not stand")
             self.sizes[words[0].lower()] = Size(words[0], *words[1:4], words[4] == "power", about)

@@ -4,7 +4,7 @@ import re
 
 from .lines import Lines, c_head, told, verilog_head
 
-FROM = "bundles.def by sim/bundles.awk"
+FROM = "bundles.def"
 
 
 class Width:
@@ -33,29 +33,32 @@ class Bundles:
     def __init__(self, machine):
         self.counters = {words[1]: int(words[0]) for kind, words in machine.rows
                          if kind == "counter"}
-        self.fields, self.events, name = {}, {}, ""
-        lines = Lines("rtl/engine/bundles.def")
-        for kind, words, _ in lines:
-            if kind == "bundle":
-                name = words[0]
-                self.fields[name], self.events[name] = {}, []
-                continue
-            if kind != "field":
-                lines.fail(f"neither bundle nor field: {kind}")
-            if not name:
-                lines.fail("a field before its bundle")
-            field, width, *more = words
-            if field in self.fields[name]:
-                lines.fail(f"twice: {field}")
-            if width not in self.fields and not re.fullmatch("[0-9A-Z_+*()]+", width):
-                lines.fail(f"no width: {width}")
-            self.fields[name][field] = width
-            if more[:1] == ["counter"]:     # NAME [if PARAMETER]
-                words = [word.removesuffix(":") for word in more[1:4]]
-                if words[0] not in self.counters:
-                    lines.fail(f"no counter of machine.def: {words[0]}")
-                when = words[2] if words[1:2] == ["if"] else ""
-                self.events[name].append((field, int(width), words[0], when))
+        self.fields, self.events, self.lines = {}, {}, Lines("rtl/engine/bundles.def")
+        self.lines.each(self.take)
+
+    def take(self, kind, words, _):
+        if kind not in ("bundle", "field"):
+            self.lines.fail(f"neither bundle nor field: {kind}")
+        if kind == "field" and not self.fields:
+            self.lines.fail("a field before its bundle")
+        if words[0] in (self.fields if kind == "bundle" else next(reversed(self.fields.values()))):
+            self.lines.fail(f"twice: {words[0]}")
+        if kind == "bundle":
+            self.fields[words[0]], self.events[words[0]] = {}, []
+        else:
+            self.field(next(reversed(self.fields)), words)
+
+    def field(self, bundle, words):
+        name, width, *more = words
+        if width not in self.fields and not re.fullmatch("[0-9A-Z_+*()]+", width):
+            self.lines.fail(f"no width: {width}")
+        self.fields[bundle][name] = width
+        if more[:1] == ["counter"]:    # NAME [if PARAMETER]
+            counter, *when = [word.removesuffix(":") for word in more[1:4]]
+            if counter not in self.counters:
+                self.lines.fail(f"no counter of machine.def: {counter}")
+            self.events[bundle].append(
+                (name, int(width), counter, when[1] if when[:1] == ["if"] else ""))
 
     def expression(self, width, lang):
         """Of a width; a bundle's name stands for its bits."""

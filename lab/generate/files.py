@@ -13,7 +13,7 @@ FILELIST = """\
 """
 CORE = """\
 CAPI=2:
-# sphaera.core - the core for FuseSoC 2.4; sim/filelist.sh writes it
+# sphaera.core - the core for FuseSoC 2.4; make layout writes it
 # SPDX-License-Identifier: Apache-2.0
 name: ::sphaera:{version}
 description: Ray tracer in synthesizable Verilog-2005

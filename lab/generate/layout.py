@@ -6,7 +6,7 @@ effects_pass and core_pass, what is given to parameters of the same name; core_r
 there are and what is legal."""
 from .lines import c_head, told, verilog_head
 
-FROM = "machine.def by gen_layout.awk"
+FROM = "machine.def"
 
 
 def counted(when):

@@ -5,7 +5,7 @@ from collections import namedtuple
 
 from .lines import Lines, c_head, told, verilog_head
 
-FROM = "modes.def by sim/modes.awk"
+FROM = "modes.def"
 # horizontal, vertical: active, front, sync, back and polarity of each, as the line has them
 Mode = namedtuple("Mode", "name khz horizontal vertical standard")
 
@@ -15,12 +15,14 @@ class Modes:
 
     def __init__(self):
         self.fields, self.modes, self.lines = {}, [], Lines("rtl/video/modes.def")
-        for kind, words, text in self.lines:
-            if kind not in ("field", "mode"):
-                self.lines.fail(f"neither field nor mode: {kind}")
-            if words[0] in (*self.fields, *(mode.name for mode in self.modes)):
-                self.lines.fail(f"{words[0]} stands twice")
-            (self.field if kind == "field" else self.mode)(words, text)
+        self.lines.each(self.take)
+
+    def take(self, kind, words, text):
+        if kind not in ("field", "mode"):
+            self.lines.fail(f"neither field nor mode: {kind}")
+        if words[0] in (*self.fields, *(mode.name for mode in self.modes)):
+            self.lines.fail(f"{words[0]} stands twice")
+        (self.field if kind == "field" else self.mode)(words, text)
 
     def field(self, words, _):
         if not re.fullmatch("[1-9][0-9]*", words[1]):

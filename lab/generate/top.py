@@ -5,7 +5,7 @@ from collections import namedtuple
 
 from .lines import Lines, c_head, told, verilog_head
 
-FROM = "top.def and machine.def by gen_top.awk"
+FROM = "top.def and machine.def"
 WORD = (1 << 32) - 1
 ACCESS = ("ro", "rw", "wo", "w1c")
 
@@ -43,22 +43,26 @@ class Registers:
         self.release = f"0x{int(major):04x}{int(minor):04x}"
         self.registers, self.place, self.layers = [], {}, False
         self.lines = Lines("cmodel/machine/top.def")
-        for kind, words, text in self.lines:
-            about = re.sub("^[^:]*: *", "", text)
-            if kind == "top":
-                self.register(words, about)
-            elif kind == "bits":
-                self.field(int(words[0]), int(words[1]), words[2], about)
-            elif kind == "only":
-                if words[0] != "LAYERS" or self.registers[-1].access != "rw":
-                    self.lines.fail("only LAYERS, of a setting")
-                self.layers = True
-            elif kind == "place":
-                self.place[words[1]] = words[0]
-            elif kind == "count":
-                self.counters[int(words[0])] = words[1], " ".join(words[2:])
+        self.lines.each(self.take)
         self.registers_of_machine = max(self.machine) + 1
         self.counts = max(self.counters) + 1
+
+    def take(self, kind, words, text):
+        about = re.sub("^[^:]*: *", "", text)
+        if kind == "top":
+            self.register(words, about)
+        elif kind == "bits":
+            self.field(int(words[0]), int(words[1]), words[2], about)
+        elif kind == "only":
+            if words[0] != "LAYERS" or self.registers[-1].access != "rw":
+                self.lines.fail("only LAYERS, of a setting")
+            self.layers = True
+        elif kind == "place":
+            self.place[words[1]] = words[0]
+        elif kind == "count":
+            self.counters[int(words[0])] = words[1], " ".join(words[2:])
+        else:
+            self.lines.fail(f"none of top, bits, only, place and count: {kind}")
 
     def number(self, text):
         if not re.fullmatch("0x[0-9a-f]+", text):

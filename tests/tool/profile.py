@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # profile.py - a ground under many spheres, and what was expected of profiles against what is
 # SPDX-License-Identifier: Apache-2.0
-"""usage: profile.py cover           a ground of radius 1000 under 480 spheres of radius 0.2 and 3 of 1
-       profile.py expected RUNS   a row each; exit code 1 if one was worse than expected
+"""usage: profile.py cover          a ground of radius 1000 under 480 spheres of 0.2 and three of 1
+       profile.py expected RUNS  a row each; exit code 1 if one was worse than expected
 
 RUNS: what `sphaera accuracy` prints, of many runs one after another, each behind a line "run SCENE
 PROFILE". Worse: its dB are less, or more pixels see another thing. Edges that move hit pixels by
@@ -30,7 +30,8 @@ def cover():
         if n < 480:
             y = math.sqrt(1000.2 * 1000.2 - x * x - z * z) - 1000
             print(f"s {x:.6f} {y:.6f} {z:.6f} 0.2")
-    print("f 0.7 0.6 0.5 0.2 0.8 0 0 1\ns 4 1 0 1\ns 0 1 0 1\nf 0.4 0.2 0.1 0.8 0 0 0 1\ns -4 1 0 1")
+    print("f 0.7 0.6 0.5 0.2 0.8 0 0 1\ns 4 1 0 1\ns 0 1 0 1\n"
+          "f 0.4 0.2 0.1 0.8 0 0 0 1\ns -4 1 0 1")
 
 
 def row(scene, profile, text):
