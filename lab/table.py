@@ -128,6 +128,8 @@ GROUPS = {
         ("reset", "reset", "BUILD [MODULE...]", "a clock of reset makes every module quiet"),
     ),
     "checks of sources and blocks": (
+        ("benches", "benches.run", "--tools --list [PATTERN] [SEED] [VECTORS]",
+         "benches of modules, tb/benches*.txt, built and run"),
         ("layers", "lint_layers", "OBJECT...", "folders of cmodel are layers"),
         ("slang", "lint_slang", "FOLDERS FILE...", "Verilog as SystemVerilog, with pyslang"),
         ("rdl", "top.rdl", "FILE", "registers of rt_top, with systemrdl-compiler"),
