@@ -188,16 +188,20 @@ def legal(given):
     values.update((size.name, int(size.standard)) for size in DEFINITION.sizes.values())
     values.update(given)
     names = {}      # of a unit, the first parameter of its expression
-    shown = dict(values)
+    shown = {name: f"{name}={number}" for name, number in values.items()}
     for unit, expression in DEFINITION.units.items():
-        names[unit] = re.search("[A-Z_]+", expression)[0]
+        name, *others = dict.fromkeys(re.findall("[A-Z][A-Z_]+", expression))
+        names[unit] = name
         values[unit] = definition.value(expression, values)
+        if not values[name]:
+            shown[name] += f", which is {values[unit]} for " + \
+                " ".join(shown[n] for n in others if n in given)
     bad = []
     for rule, expression in DEFINITION.rules.items():
         if not definition.value(expression, values):
             about = dict.fromkeys(names.get(n, n) for n in re.findall("[A-Z][A-Z_]*", expression))
             said = re.sub("([a-z0-9])_", r"\1 ", re.sub("_([a-z0-9])", r" \1", rule))
-            bad.append(" ".join(f"{n}={shown[n]}" for n in about) + ": " + said)
+            bad.append(" ".join(shown[n] for n in about) + ": " + said)
     if bad:
         raise Wrong("\n".join(bad))
 
