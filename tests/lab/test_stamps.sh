@@ -27,7 +27,7 @@ check "textures" nothing lab textures-page $results/texture_results.md $results/
     empty docs/pictures 48x27 24x14 kitchen robot museum
 check "bart" nothing lab bart-page $results/bart.md empty 48x27 kitchen:400:50 robot:3:2 museum:7:7
 check "truth" nothing lab truth-page $results/truth.md empty docs/pictures/truth
-check "study" nothing lab study-page --only-tables $results/accuracy.md empty empty/study
+check "study" nothing lab accuracy-page --only-tables $results/accuracy.md empty empty/study
 check "area" nothing lab area-page $results/area.md empty standard-ecp5-all-engines1
 check "fuzz" nothing lab fuzz-page empty/runs.tsv $results/mutants.md
 check "one table" nothing lab place $results/mutants.md "make host-page" events empty/events
