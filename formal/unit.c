@@ -1,4 +1,4 @@
-/* unit.c - proof for every argument: the table of inverse square roots lies where filter.md needs
+/* unit.c - proof for every argument: the table of inverse square roots lies where traversal.md needs
  * it SPDX-License-Identifier: Apache-2.0
  *
  * y^2 (x + 1) <= 2^50 for every x of the table: so y times the square root of any number below

@@ -1,4 +1,4 @@
-# jobs.mk - ENGINE=slurm, tried on a Slurm of this machine: docs/guide/cluster.md
+# jobs.mk - ENGINE=slurm, tried on a Slurm of this machine: docs/guide/simulation.md
 # SPDX-License-Identifier: Apache-2.0
 
 .PHONY: slurm-setup slurm-test

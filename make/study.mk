@@ -7,7 +7,7 @@
 #                                missing stay as they are
 #   make study-short             some small jobs and no page: what tests/lab/test_study.sh runs
 #   make study RESULTS=folder    results elsewhere: put folders of several machines together
-#   make study ENGINE=slurm      on a cluster: docs/guide/cluster.md
+#   make study ENGINE=slurm      on a cluster: docs/guide/simulation.md
 # lab/study/points.py says which runs these are, lab/jobs/store.py how a result is kept. Clocks are
 # those of make study-seeds, the one table of them (lab/clocks.py): nextpnr-ecp5 of the PATH, or of
 # make study-pnr, which takes a pinned one of Python's package index into build/study/venv.
