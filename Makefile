@@ -160,9 +160,7 @@ layout: ## what follows from machine.def, top.def, bundles.def, modes.def, VERSI
 	$(call say,GEN,"layout.h rt_layout.vh rt_effects*.vh rt_core_*.vh rt_top.vh sphaera_regs.h")
 	$(call say,GEN,"rt_modes.vh sphaera_modes.h rt_bundles.vh bundles.h and fields beside ports")
 	$(call say,GEN,"sphaera.f sphaera.core")
-	$(Q)sh sim/layout.sh
-	$(Q)sh sim/bundles.sh
-	$(Q)sh sim/filelist.sh
+	$(Q)python3 -m lab layout
 
 clean: ## remove build/
 	$(Q)[ ! -L $B ] || rm -rf -- "$$(realpath -- $B)"; rm -rf $B

@@ -107,6 +107,8 @@ GROUPS = {
         ("budget", "synth.budget", "FOLDER BUDGET...", "is a core within its budget?"),
         ("placed", "synth.placed", "REPORT LOG ROUTED SECONDS VERSION",
          "what nextpnr says, in short"),
+        ("placed-between", "synth.between", "NETLIST",
+         "the registers that a core is placed between, Verilog"),
         ("slow-paths", "synth.families", "SDF [LINES]", "slow paths of a placed core"),
     ),
     "faults and proofs": (
@@ -126,6 +128,8 @@ GROUPS = {
         ("reset", "reset", "BUILD [MODULE...]", "a clock of reset makes every module quiet"),
     ),
     "checks of sources and blocks": (
+        ("benches", "benches.run", "--tools --list [PATTERN] [SEED] [VECTORS]",
+         "benches of modules, tb/benches*.txt, built and run"),
         ("layers", "lint_layers", "OBJECT...", "folders of cmodel are layers"),
         ("slang", "lint_slang", "FOLDERS FILE...", "Verilog as SystemVerilog, with pyslang"),
         ("rdl", "top.rdl", "FILE", "registers of rt_top, with systemrdl-compiler"),
@@ -144,6 +148,8 @@ GROUPS = {
         ("truth-points", "truth.points", "FOLDER NAME...", "tests/reference/povray.txt"),
     ),
     "files of the tree that a program writes": (
+        ("layout", "generate.every", "--check-ports [FOLDER]",
+         "what follows from the .def files, VERSION and files of rtl: make layout"),
         ("texture-images", "textures.images", "[FOLDER]", "images of scenes/texture"),
         ("texture-scenes", "textures.scenes", "[FOLDER]", "scenes of scenes/texture"),
         ("asks", "effects.asks", "TOOL", "docs/results/data/asks.tsv: what each scene asks for"),
