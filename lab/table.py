@@ -128,7 +128,7 @@ GROUPS = {
         ("reset", "reset", "BUILD [MODULE...]", "a clock of reset makes every module quiet"),
     ),
     "checks of sources and blocks": (
-        ("benches", "benches.run", "--tools --list [PATTERN] [SEED] [VECTORS]",
+        ("benches", "benches.run", "--tools --show [PATTERN] [SEED] [VECTORS]",
          "benches of modules, tb/benches*.txt, built and run"),
         ("layers", "lint_layers", "OBJECT...", "folders of cmodel are layers"),
         ("slang", "lint_slang", "FOLDERS FILE...", "Verilog as SystemVerilog, with pyslang"),

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """PATTERN selects lines of tb/benches*.txt by bench/configuration, such as tb_leaf or
 tb_leaf/standard; of all lines (/, the default) those that are for ALL=1 are left out without it.
---list prints them; --tools builds what all benches have in common, and no more. SEED is a number
+--show prints them; --tools builds what all benches have in common, and no more. SEED is a number
 (1), VECTORS how many (as many as the bench takes).
 
   BENCH_BUILD  build folder (build); all that is made here lies in its folder tb
@@ -56,19 +56,19 @@ def run(line, words):
     return well, text
 
 
-def main(pattern="/", seed="1", vectors=None, **options):
+def main(pattern="/", seed="1", vectors=None, tools=False, show=False):
     try:
-        return run_all(pattern, [seed] + [vectors] * bool(vectors), **options)
+        return run_all(pattern, [seed] + [vectors] * bool(vectors), tools, show)
     except (Broken, ValueError) as why:
         print(f"not ok benches: {why}")
         return 1
 
 
-def run_all(pattern, words, tools=False, list=False):
+def run_all(pattern, words, tools, show):
     build = os.environ.get("BENCH_BUILD") or "build"
     whole = pattern != "/" or bool(os.environ.get("ALL"))
     lines = [line for line in every(build, whole=whole) if pattern in line.name]
-    if list:
+    if show:
         print(*(" ".join(line.words) for line in lines), sep="\n")
         return 0
     if not lines:

@@ -11,7 +11,7 @@ cd "$(dirname "$0")/../.." || exit 1
 BENCH_BUILD=${BUILD:-build} BENCH_JOBS=${JOBS:-2} BENCHES=${BENCHES:-/}
 export BENCH_BUILD BENCH_JOBS
 python3 -m lab benches "$BENCHES" "${SEED:-1}" && status=0 || status=1
-python3 -m lab benches --list "$BENCHES" >"$TMP/benches"
+python3 -m lab benches --show "$BENCHES" >"$TMP/benches"
 while read -r profile _ bench _; do
     if refuses 2 "" "$BENCH_BUILD/tb/$bench-$profile/made/bench" >"$TMP/refused"; then
         echo "ok - $bench-$profile refuses a seed that is no number"

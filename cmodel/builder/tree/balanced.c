@@ -77,7 +77,7 @@ static uint32_t collapse(struct work *w, uint32_t pair, int level) {
     uint32_t me = w->n++, children[4];
     struct plan *plan = &w->plans[me];
     int n = 0;
-    if ((uint32_t)level + 2 > w->tree->depth) w->tree->depth = (uint32_t)level + 2;
+    if ((uint32_t)level + 1 > w->tree->depth) w->tree->depth = (uint32_t)level + 1;
     plan->pair = pair;
     plan->n_inner = plan->n_leaf = 0;
     open_pair(w, pair, 4, 1, w->most - level - 1, children, &n);
@@ -179,8 +179,7 @@ static int trivial(const struct work *w, uint32_t n) {
     if (!node) return -1;
     node->n_leaf = (uint8_t)n;
     if (n) node->ball = sph_filter_leaf(&w->balls[0], w->profile);
-    w->tree->n_nodes = 1;
-    w->tree->depth = 2;
+    w->tree->n_nodes = w->tree->depth = 1;
     return 0;
 }
 
