@@ -173,8 +173,7 @@ PARK = [
     ("Table I", "hit rates of 74 to 80 % without, 94 to 99 % with MIP-mapping",
      "51 to 53 %, and 91 to 96 %; in its own scenes 58 to 77 %, and 83 to 96 % "
      "([texture_results.md](texture_results.md#table-i-cache)); a cache line holds 8 texels, of the "
-     "paper's nothing is "
-     "told", "make textures", "same in kind"),
+     "paper's nothing is told", "make textures", "same in kind"),
     ("Table I", "3.7, 6.3, 6.4 frames a second",
      "in its own scenes, clock for clock, {bart_1} with one pipe, {bart_2} with two, by frames of "
      "the RTL, with all lights and two reflections; the cores that drew them are {bart_clock} "
