@@ -36,8 +36,8 @@ ROWS = (
     ("delivery", ("pixel",), ()),
 )
 ROW_OF = {stage: row for row, (_, stages, _) in enumerate(ROWS) for stage in stages}
-LEFT, TOP, HEIGHT, WIDTH, TICK = 130, 44, 22, 1080, 50  # all but the last, in clocks, in pixels
-NARROW = 45  # for a name
+LEFT, TOP, HEIGHT, WIDTH, NARROW = 130, 44, 22, 1080, 45  # NARROW: too narrow for a name
+TICK = 50  # clocks
 STYLE = """<style>
   .bar { fill: #4477aa } .grid { stroke: #dddddd } .name { font-size: 13px }
   .visit { fill: #cc6633 } .ray { fill: #ccddaa } .surface { fill: #eeddbb } .small { font-size: 11px }
