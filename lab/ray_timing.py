@@ -40,7 +40,8 @@ LEFT, TOP, HEIGHT, WIDTH, NARROW = 130, 44, 22, 1080, 45  # NARROW: too narrow f
 TICK = 50  # clocks
 STYLE = """<style>
   .bar { fill: #4477aa } .grid { stroke: #dddddd } .name { font-size: 13px }
-  .visit { fill: #cc6633 } .ray { fill: #ccddaa } .surface { fill: #eeddbb } .small { font-size: 11px }
+  .visit { fill: #cc6633 } .ray { fill: #ccddaa } .surface { fill: #eeddbb }
+  .small { font-size: 11px }
 </style>"""
 
 
