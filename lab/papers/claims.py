@@ -161,7 +161,7 @@ PARK = [
      "built"),
     ("6", "all scenes tend to higher levels",
      "so do ours; shares differ with how images are laid. In the paper's own "
-     "([texture_results.md](texture_results.md#table-i-levels)) the robot's are the paper's, the "
+     "([texture_results.md](texture_results.md#bart-levels)) the robot's are the paper's, the "
      "museum's nearly",
      "make textures", "same in kind"),
     ("Table I", "61, 60, 1, 2, 1 operations for BMRT's levels",
@@ -172,9 +172,8 @@ PARK = [
      "9, 9, 1, 1, 2: the mended formula is shorter", "make textures", "other"),
     ("Table I", "hit rates of 74 to 80 % without, 94 to 99 % with MIP-mapping",
      "51 to 53 %, and 91 to 96 %; in its own scenes 58 to 77 %, and 83 to 96 % "
-     "([texture_results.md](texture_results.md#table-i-cache)); a cache line holds 8 texels, of the "
-     "paper's nothing is "
-     "told", "make textures", "same in kind"),
+     "([texture_results.md](texture_results.md#bart-cache)); a cache line holds 8 texels, of the "
+     "paper's nothing is told", "make textures", "same in kind"),
     ("Table I", "3.7, 6.3, 6.4 frames a second",
      "in its own scenes, clock for clock, {bart_1} with one pipe, {bart_2} with two, by frames of "
      "the RTL, with all lights and two reflections; the cores that drew them are {bart_clock} "

@@ -25,8 +25,8 @@ done
 check "background" nothing lab background background --build empty
 check "textures" nothing lab textures-page $results/texture_results.md $results/accuracy.md \
     empty docs/pictures 48x27 24x14 kitchen robot museum
-check "bart" nothing lab bart-page $results/texture_results.md empty 48x27 kitchen:400:50 robot:3:2 \
-    museum:7:7
+check "bart" nothing lab bart-page $results/texture_results.md empty 48x27 kitchen:400:50 \
+    robot:3:2 museum:7:7
 check "truth" nothing lab truth-page $results/accuracy.md empty docs/pictures/truth
 check "study" nothing lab study-page --only-tables $results/accuracy.md empty empty/study
 check "area" nothing lab area-page $results/speed_and_area.md empty standard-ecp5-all-engines1
