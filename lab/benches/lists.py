@@ -1,6 +1,6 @@
 # lists.py - lines of tb/benches*.txt, with the widths of their profiles filled in
 # SPDX-License-Identifier: Apache-2.0
-"""A line of a list: configuration, module, bench, parameters of the module / of the bench alone. In it
+"""A line: configuration, module, bench, parameters of the module / of the bench alone. In it
   each            stands for every profile, a line each; without ALL=1 for the first and the last
   more            before a line: only with ALL=1
   NAME@PROFILE    is configuration NAME with the widths of a profile

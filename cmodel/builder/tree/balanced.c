@@ -200,7 +200,7 @@ static int again(struct work *w, const struct sph_aabb *boxes, uint32_t n, struc
 }
 
 /* Keeps the split, if that is asked for and there is memory; else frees it. */
-static void keep(struct work *w) {
+static void keep_split(struct work *w) {
     struct sph_split *kept = w->tree->learns ? malloc(sizeof *kept) : NULL;
     if (kept)
         *(w->tree->split = kept) = w->split;
@@ -225,7 +225,7 @@ static int attempt(struct work *w, const struct sph_aabb *boxes, uint32_t n, int
         if (done && put_nodes(w, n)) done = sph_fail(err, "out of memory for a tree");
     }
     if (done > 0 && better && (boxes || n <= SPH_TREE_FEW))
-        keep(w);
+        keep_split(w);
     else
         sph_split_free(&w->split);
     return done;
