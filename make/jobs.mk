@@ -1,4 +1,4 @@
-# jobs.mk - jobs of a list; ENGINE=slurm tried on a Slurm of this machine: docs/guide/cluster.md
+# jobs.mk - jobs of a list; ENGINE=slurm tried on a Slurm of this machine: docs/guide/simulation.md
 # SPDX-License-Identifier: Apache-2.0
 
 # + before it: the commands share the JOBS of this make

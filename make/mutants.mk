@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 #   python3 -m lab faults run NAME    one fault of tests/faults; --help
-#   make campaign                  what is not run yet, and the tables of docs/results/mutants.md
+#   make campaign                  what is not run yet, and the tables of verification.md
 #   make campaign FAULTS=10000     more of them, SEED=2 others
-#   make campaign ENGINE=slurm     on a cluster: docs/guide/cluster.md
+#   make campaign ENGINE=slurm     on a cluster: docs/guide/simulation.md
 #   make campaign-c MINUTES=60     the same in the C model
 
 .PHONY: mutants hard-rtl common-mode twins campaign campaign-c coverage

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * Borodavka et al. IV (tree), V (background separation); docs/design/builder.md,
- * docs/results/background.md.
+ * docs/results/effects.md.
  */
 #ifndef SPH_BUILD_H
 #define SPH_BUILD_H
@@ -75,7 +75,7 @@ enum { SPH_BUILD_SHARED = 1000 }; /* primitives from which on threads share a bu
         .asked = {SPH_EACH_EFFECT(SPH_BUILD_ASKED)}, .tex_filter = SPH_FILTER_BETWEEN              \
     }
 
-/* A leaf of no more is not cut if nothing else is asked for: docs/results/scenarios.md has what it
+/* A leaf of no more is not cut if nothing else is asked for: docs/results/trees.md has what it
  * costs.
  */
 enum { SPH_BIH_PRIMS = 4 };

@@ -1,4 +1,4 @@
-# page.py - puts the tables of docs/results/claims.md in their places
+# page.py - puts the tables of docs/results/papers.md in their places
 # SPDX-License-Identifier: Apache-2.0
 """FOLDER is what measure.py left, SYNTH the folder of synthesised cores."""
 import math

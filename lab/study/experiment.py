@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """RESULTS is the folder of results (BUILD/study/results): put those of several machines together.
 KINDS are kinds of jobs, accuracy, cycles and cells (all), ENGINE and JOBS what runs them
-(docs/guide/cluster.md). points.py says which runs these are, jobs/store.py how a result is kept.
+(docs/guide/simulation.md). points.py says which runs these are, jobs/store.py how a result is kept.
 Clocks are those of SEEDS_CORE placed with SEEDS, SPEED-SEED each, and routed if ROUTE is 1, by the
 nextpnr-ecp5 of the PATH or the pinned one of BUILD/study/venv, which is installed where it is not
 there."""

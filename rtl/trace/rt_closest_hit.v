@@ -237,7 +237,7 @@ module rt_closest_hit #(
             );
             wire unused = &{1'b0, key, new_scale};
         end else begin : g_scaled
-            // A key is below 2.4 * 2^(W+WD) (docs/reference/number_formats.md), so its top + 1 fits
+            // A key is below 2.4 * 2^(W+WD) (docs/reference/machine_file.md), so its top + 1 fits
             // 17 bits.
             reg [16:0]  s1_top_q, s1_scale_q;    // u17 top of the key, rounded up; u1.15
             reg [5:0]   s1_shift_q, s2_shift_q;

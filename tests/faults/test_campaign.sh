@@ -34,8 +34,8 @@ sums() { # the page's tables and the list of faults are of one run
 import collections
 import sys
 from lab.pages import data
-head, faults = data.read("mutants.faults")
-_, modules = data.read("mutants.modules")
+head, faults = data.read("verification.faults")
+_, modules = data.read("verification.modules")
 count = collections.Counter(row[0].split()[0] for row in faults)
 sys.exit({row[0]: int(row[1]) for row in modules} != dict(count))
 END
