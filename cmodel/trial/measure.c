@@ -58,7 +58,7 @@ static double contrast(const struct sph_reference *r) {
         }
         difference += 2 * (squares - sum / n * sum) / (n - 1) / 3;
     }
-    return n > 1 ? difference : 1;
+    return n > 1 ? fmax(difference, 0) : 1;
 }
 
 int sph_yardstick_make(const struct sph_scene *scene, const struct sph_build_options *o,
