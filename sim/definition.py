@@ -18,6 +18,7 @@ class Definition:
     def __init__(self):
         self.constants, self.profiles, self.paces, self.bounds = {}, {}, {}, {}
         self.effects, self.sizes, self.units, self.rules = {}, {}, {}, {}
+        self.loads = {}     # clocks of units: how many there are, clocks of all together
         effect = None
         with open(NAME, encoding="utf-8") as f:
             for line in f:
@@ -29,6 +30,8 @@ class Definition:
                     self.sizes[word[0].lower()] = Size(word[0], *word[1:4], word[4] == "power")
                 elif kind in ("unit", "legal"):
                     (self.units if kind == "unit" else self.rules)[word[0]] = about
+                elif kind == "load":
+                    self.loads[word[0].replace("_", " ")] = line.strip().split(" : ")[1:]
                 elif kind == "const":
                     self.constants[word[0]] = int(word[1])
                 elif kind == "profile":
@@ -57,5 +60,6 @@ def value(text, values):
     if has:
         one, _, other = rest.partition(":")
         return value(one if value(asked, values) else other, values)
-    return int(eval(text.replace("&&", " and ").replace("||", " or "),   # pylint: disable=eval-used
-                    {"__builtins__": {}}, values))
+    text = text.replace("&&", " and ").replace("||", " or ").replace("/", "//")
+    return int(eval(text, {"__builtins__": {}, "max": max, "min": min},   # pylint: disable=eval-used
+                    values))

@@ -5,7 +5,8 @@
 # Leaves, in order, word[1..words], the first `effects` of them effects, number[word], and by number
 # core, bit (-1: none), most, all, asked, option, needs, excludes (lists of words) and about; sizes
 # as size[1..sizes], and by number standard, least, largest, power (1: of two) and size_about; units
-# as unit[1..units] and how_many, rules as rule_name[1..rules] and must_hold.
+# as unit[1..units] and how_many, rules as rule_name[1..rules] and must_hold, loads as
+# load[1..loads], load_units and load_clocks; of paces pace_of[1..paces], pace_size and pace_value.
 function effects_fail(why) {
     print FILENAME ":" FNR ": " why > "/dev/stderr"
     failed = 1
@@ -62,6 +63,11 @@ $1 == "unit" || $1 == "legal" {
     else { rule_name[++rules] = $2; must_hold[rules] = text }
     next
 }
+$1 == "load" {
+    if (split($0, text_part, " : ") != 3) effects_fail($2 ": not `load name : units : clocks`")
+    load[++loads] = $2; load_units[loads] = text_part[2]; load_clocks[loads] = text_part[3]
+    next
+}
 $1 == "pace" {
     for (i = 3; i <= NF; i++) {
         for (k = 1; k <= sizes && size[k] != substr($i, 1, index($i, "=") - 1); k++) ;
@@ -69,6 +75,7 @@ $1 == "pace" {
         if (k > sizes) effects_fail("\"" $i "\" is no size=value")
         if (given < least[k] || given > largest[k])
             effects_fail($i " is not in " least[k] ".." largest[k])
+        pace_of[++paces] = $2; pace_size[paces] = size[k]; pace_value[paces] = given
     }
     next
 }

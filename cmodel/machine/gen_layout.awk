@@ -174,7 +174,7 @@ $1 == "counter" {
     def("COUNT_" $3, $2)
     names = names sprintf("%s\"%s\"", names ? ", " : "", tolower($3))
     if ($4 == "both") both += 2 ^ $2
-    counters++
+    counter_name[++counters] = tolower($3)
 }
 $1 == "error" {
     def("ERROR_" $3, $2)
@@ -210,6 +210,26 @@ END {
         def("EACH_PART(X)", "SPH_EACH_EFFECT(X)" each_part)
         def("EACH_REG(X)", regs)
         def("EACH_KIND(X)", each_kind)
+        for (i = 1; i <= sizes; i++)
+            each_size = each_size sprintf(" \\\n    X(%s, %s)", size[i], standard[i])
+        for (i = 1; i <= paces; i++)
+            each_pace = each_pace sprintf(" \\\n    X(%s, %s, %s)", toupper(pace_of[i]),
+                                          pace_size[i], pace_value[i])
+        for (i = 1; i <= units; i++)
+            each_unit = each_unit sprintf(" \\\n    X(%s, (%s))", unit[i], how_many[i])
+        for (i = 1; i <= loads; i++) {
+            text = load[i]
+            gsub(/_/, " ", text)
+            each_load = each_load sprintf(" \\\n    X(%s, \"%s\", %s, %s)", load[i], text,
+                                          load_units[i], load_clocks[i])
+        }
+        for (i = 1; i <= counters; i++) each_counter = each_counter \
+            sprintf(" \\\n    X(%s, %s)", toupper(counter_name[i]), counter_name[i])
+        def("EACH_COUNTER(X)", each_counter)
+        def("EACH_SIZE(X)", each_size)
+        def("EACH_PACE(X)", each_pace)
+        def("EACH_UNIT_COUNT(X)", each_unit)
+        def("EACH_LOAD(X)", each_load)
         print "\n#endif"
     } else {
         def("EFFECTS_BUILT", "(32'd0" built ")")

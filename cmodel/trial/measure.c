@@ -9,10 +9,10 @@
 #include <time.h>
 
 #include "common/parallel.h"
-#include "fast/pixel.h"
 #include "pixel/background.h"
 #include "render/render.h"
 #include "scene/rng.h"
+#include "trial/draw.h"
 
 /* Seconds of processor, all threads. */
 static double cpu_now(void) {
@@ -105,8 +105,7 @@ void sph_yardstick_free(struct sph_yardstick *y) {
 struct job {
     const struct sph_yardstick *yardstick;
     struct sph_trial *trial;
-    struct sph_render_options how;
-    int shades; /* the machine is one of fast/pixel.h */
+    struct sph_drawer drawer;
 };
 
 static void draw_part(void *user, uint32_t first, uint32_t end) {
@@ -115,9 +114,8 @@ static void draw_part(void *user, uint32_t first, uint32_t end) {
     uint32_t errors = 0;
     for (uint32_t i = first; i < end; i++) {
         uint32_t at = j->yardstick->places[i], width = (uint32_t)j->yardstick->width;
-        j->trial->shot.frame.pixels[i] = (j->shades ? sph_fast_pixel : sph_render_pixel)(
-            &j->trial->machine, &j->how, (int)(at % width), (int)(at / width), &mine, &errors,
-            &j->trial->trails[i]);
+        j->trial->shot.frame.pixels[i] = sph_drawer_pixel(
+            &j->drawer, (int)(at % width), (int)(at / width), &mine, &errors, &j->trial->trails[i]);
     }
     sph_parallel_lock();
     j->trial->shot.errors |= errors;
@@ -127,31 +125,28 @@ static void draw_part(void *user, uint32_t first, uint32_t end) {
 }
 
 /* The places of the sample alone. */
-static int draw_places(struct job *j, int threads, struct sph_error *err) {
+static int draw_places(const struct sph_yardstick *y, struct sph_trial *t, int threads,
+                       struct sph_error *err) {
     enum { PIXELS = 256 }; /* that are worth a thread */
-    struct sph_shot *shot = &j->trial->shot;
-    const struct sph_reference *like = &j->yardstick->reference;
+    struct sph_shot *shot = &t->shot;
+    const struct sph_reference *like = &y->reference;
     shot->frame = (struct sph_frame){like->width, like->height, NULL};
     shot->frame.pixels = calloc((size_t)like->width, sizeof *shot->frame.pixels);
-    if (!shot->frame.pixels)
-        return sph_fail(err, "%s: no memory for a sample", j->trial->machine.name);
-    struct sph_fast *fast = sph_fast_new(&j->trial->machine, SPH_FAST_BEST);
-    j->how.fast = fast;
-    j->shades = fast && sph_fast_shades(&j->trial->machine);
-    shot->errors = sph_background_missing(&j->trial->machine) ? 1u << SPH_ERROR_BAD_NODE : 0;
+    if (!shot->frame.pixels) return sph_fail(err, "%s: no memory for a sample", t->machine.name);
+    struct job j = {y, t, sph_drawer_begin(&t->machine)};
+    shot->errors = sph_background_missing(&t->machine) ? 1u << SPH_ERROR_BAD_NODE : 0;
     int before = sph_parallel_most(threads);
-    sph_parallel_for((uint32_t)like->width, PIXELS, draw_part, j);
+    sph_parallel_for((uint32_t)like->width, PIXELS, draw_part, &j);
     sph_parallel_most(before);
-    sph_fast_free(fast);
+    sph_drawer_end(&j.drawer);
     return 0;
 }
 
-static int draw_all(struct job *j, int threads, struct sph_error *err) {
-    struct sph_shot *shot = &j->trial->shot;
-    j->how.threads = threads;
-    j->how.trails = j->trial->trails;
-    int bits = sph_render(&j->trial->machine, &j->how, &shot->frame, &shot->counters, err);
-    shot->errors = (uint32_t)bits;
+static int draw_all(struct sph_trial *t, int threads, struct sph_error *err) {
+    struct sph_render_options how = {
+        .traverse = SPH_TRAVERSE_FAST, .threads = threads, .trails = t->trails};
+    int bits = sph_render(&t->machine, &how, &t->shot.frame, &t->shot.counters, err);
+    t->shot.errors = (uint32_t)bits;
     return bits < 0 ? -1 : 0;
 }
 
@@ -204,12 +199,11 @@ void sph_trial_judge(const struct sph_yardstick *y, struct sph_trial *t) {
 
 int sph_trial_draw(const struct sph_yardstick *y, int threads, struct sph_trial *t,
                    struct sph_error *err) {
-    struct job j = {y, t, {.traverse = SPH_TRAVERSE_FAST}, 0};
     size_t n = (size_t)y->reference.width * (size_t)y->reference.height;
     t->trails = calloc(n, sizeof *t->trails);
     if (!t->trails) return sph_fail(err, "%s: no memory for the rays of a frame", y->scene->path);
     double start = cpu_now();
-    if ((y->places ? draw_places : draw_all)(&j, threads, err)) return -1;
+    if (y->places ? draw_places(y, t, threads, err) : draw_all(t, threads, err)) return -1;
     t->seconds = cpu_now() - start;
     return 0;
 }
