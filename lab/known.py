@@ -1,4 +1,4 @@
-# known.py - cells and clocks of cores that pages have, for the tool: cmodel/trial/known_cores.h
+# known.py - cells and clocks of cores that pages have, for the tool: cmodel/trial/known_table.h
 # SPDX-License-Identifier: Apache-2.0
 """Writes FILE: a line a core of one engine for an ECP5, its cells from docs/results/data
 (accuracy.costs.tsv, whose profiles were synthesised together, else effects.costs.tsv) and its clock
@@ -9,7 +9,7 @@ from . import clocks, intact
 from .pages import data
 from .study.points import CORE, PROFILES
 
-HEAD = """/* known_cores.h - generated from docs/results/data by `python3 -m lab known`; do not edit
+HEAD = """/* known_table.h - generated from docs/results/data by `python3 -m lab known`; do not edit
  * SPDX-License-Identifier: Apache-2.0
  */
 /* profile, effects, pipes, LUT4eq, MULT18X18D, DP16KD, worst, median, best MHz, seeds */

@@ -184,19 +184,20 @@ static json_t *row_json(const struct sph_price_row *r) {
 static json_t *price_json(const char *input, const struct sph_price *p,
                           const struct sph_keep *keep) {
     char says[1024];
-    json_t *report = report_new("price"), *rows = json_array();
+    json_t *report = report_new("price"), *price = json_object(), *rows = json_array();
     report_text(report, "input", input);
-    report_count(report, "width", (uint64_t)p->width);
-    report_count(report, "height", (uint64_t)p->height);
-    report_add(report, "sampled", json_boolean(p->sampled));
-    report_add(report, "keep", json_pack("{s:f, s:f}", "pixels", keep->pixels, "psnr", keep->psnr));
+    report_add(report, "price", price);
+    report_count(price, "width", (uint64_t)p->width);
+    report_count(price, "height", (uint64_t)p->height);
+    report_add(price, "sampled", json_boolean(p->sampled));
+    report_add(price, "keep", json_pack("{s:f, s:f}", "pixels", keep->pixels, "psnr", keep->psnr));
     for (int i = 0; i < p->n; i++)
         json_array_append_new(rows, row_json(&p->row[i]));
-    report_add(report, "rows", rows);
-    report_add(report, "best", p->best < 0 ? json_null() : json_integer(p->best));
+    report_add(price, "rows", rows);
+    report_add(price, "best", p->best < 0 ? json_null() : json_integer(p->best));
     sph_price_says(p, keep, says, sizeof says);
-    report_text(report, "says", says);
-    report_text(report, "tried", p->tried);
+    report_text(price, "says", says);
+    report_text(price, "tried", p->tried);
     return report;
 }
 

@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-#include "trial/known_cores.h"
+#include "trial/known_table.h"
 
 const struct sph_known_core *sph_known_core(const char *profile, const char *effects, int pipes) {
     static const struct sph_known_core cores[] = {SPH_KNOWN_CORES};

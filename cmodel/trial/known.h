@@ -1,7 +1,7 @@
 /* known.h - cells and clocks of cores that somebody has synthesised or routed, for an ECP5
  * SPDX-License-Identifier: Apache-2.0
  *
- * known_cores.h has them, written by `python3 -m lab known` from docs/results/data. All other sizes
+ * known_table.h has them, written by `python3 -m lab known` from docs/results/data. All other sizes
  * of these cores are those that their profile has by itself.
  */
 #ifndef SPH_TRIAL_KNOWN_H
