@@ -15,7 +15,8 @@ HEAD = """/* known_table.h - generated from docs/results/data by `python3 -m lab
 /* profile, effects, pipes, LUT4eq, MULT18X18D, DP16KD, worst, median, best MHz, seeds */
 #define SPH_KNOWN_CORES \\
 """
-KEY = re.compile(r"(?P<profile>[a-z]+)-ecp5-(?P<effects>[a-z0-9+]+)-engines1(-pipes(?P<pipes>\d))?$")
+KEY = re.compile(r"(?P<profile>[a-z]+)-ecp5-(?P<effects>[a-z0-9+]+)-engines1"
+                 r"(-pipes(?P<pipes>\d))?$")
 
 
 def cells():

@@ -18,7 +18,7 @@ class Definition:
     def __init__(self):
         self.constants, self.profiles, self.paces, self.bounds = {}, {}, {}, {}
         self.effects, self.sizes, self.units, self.rules = {}, {}, {}, {}
-        self.loads = {}     # clocks of units: how many there are, clocks of all together
+        self.rates, self.loads = {}, {}     # of a load: how many units, clocks of all together
         effect = None
         with open(NAME, encoding="utf-8") as f:
             for line in f:
@@ -32,6 +32,8 @@ class Definition:
                     (self.units if kind == "unit" else self.rules)[word[0]] = about
                 elif kind == "load":
                     self.loads[word[0].replace("_", " ")] = line.strip().split(" : ")[1:]
+                elif kind == "rate":
+                    self.rates[word[0]] = about
                 elif kind == "const":
                     self.constants[word[0]] = int(word[1])
                 elif kind == "profile":
@@ -61,5 +63,5 @@ def value(text, values):
         one, _, other = rest.partition(":")
         return value(one if value(asked, values) else other, values)
     text = text.replace("&&", " and ").replace("||", " or ").replace("/", "//")
-    return int(eval(text, {"__builtins__": {}, "max": max, "min": min},   # pylint: disable=eval-used
-                    values))
+    known = {"__builtins__": {}, "max": max, "min": min}
+    return int(eval(text, known, values))   # pylint: disable=eval-used

@@ -5,8 +5,9 @@
 # Leaves, in order, word[1..words], the first `effects` of them effects, number[word], and by number
 # core, bit (-1: none), most, all, asked, option, needs, excludes (lists of words) and about; sizes
 # as size[1..sizes], and by number standard, least, largest, power (1: of two) and size_about; units
-# as unit[1..units] and how_many, rules as rule_name[1..rules] and must_hold, loads as
-# load[1..loads], load_units and load_clocks; of paces pace_of[1..paces], pace_size and pace_value.
+# as unit[1..units] and how_many, rules as rule_name[1..rules] and must_hold; rates as
+# rate[1..rates] and rate_is, loads as load[1..loads], load_units and load_clocks; of paces
+# pace_of[1..paces], pace_size and pace_value.
 function effects_fail(why) {
     print FILENAME ":" FNR ": " why > "/dev/stderr"
     failed = 1
@@ -56,15 +57,16 @@ $1 == "size" {
     size_about[sizes] = text
     next
 }
-$1 == "unit" || $1 == "legal" {
+$1 == "unit" || $1 == "legal" || $1 == "rate" {
     text = $0
     if (!sub(/^[^:]* : /, "", text)) effects_fail($2 ": no expression stands behind a colon")
     if ($1 == "unit") { unit[++units] = $2; how_many[units] = text }
+    else if ($1 == "rate") { rate[++rates] = $2; rate_is[rates] = text }
     else { rule_name[++rules] = $2; must_hold[rules] = text }
     next
 }
 $1 == "load" {
-    if (split($0, text_part, " : ") != 3) effects_fail($2 ": not `load name : units : clocks`")
+    if (split($0, text_part, / +: /) != 3) effects_fail($2 ": not `load name : units : clocks`")
     load[++loads] = $2; load_units[loads] = text_part[2]; load_clocks[loads] = text_part[3]
     next
 }

@@ -217,6 +217,8 @@ END {
                                           pace_size[i], pace_value[i])
         for (i = 1; i <= units; i++)
             each_unit = each_unit sprintf(" \\\n    X(%s, (%s))", unit[i], how_many[i])
+        for (i = 1; i <= rates; i++)
+            each_rate = each_rate sprintf(" \\\n    X(%s, (%s))", rate[i], rate_is[i])
         for (i = 1; i <= loads; i++) {
             text = load[i]
             gsub(/_/, " ", text)
@@ -229,6 +231,7 @@ END {
         def("EACH_SIZE(X)", each_size)
         def("EACH_PACE(X)", each_pace)
         def("EACH_UNIT_COUNT(X)", each_unit)
+        def("EACH_RATE(X)", each_rate)
         def("EACH_LOAD(X)", each_load)
         print "\n#endif"
     } else {

@@ -563,19 +563,29 @@
     X(SHADE_UNITS, (SHADES != 0 ? SHADES : PIPES == 1 || INTERPENETRATE != 0 ? 1 : PIPES == 4 ? 4 : 2)) \
     X(LEAF_COUNT, (LEAF_UNITS>0 ? LEAF_UNITS : BOXES>0 ? SHADE_UNITS : PIPES>2 && SHADE_UNITS>1 ? 2:1)) \
     X(SETUP_UNITS, (SETUPS != 0 ? SETUPS : PIPES == 4 && LEAF_COUNT > 1 ? 2 : 1))
+#define SPH_EACH_RATE(X)  \
+    X(FACET_CLOCKS, (FACET_INTERVAL != 0 ? FACET_INTERVAL : BOXES == 0 && W >= 18 ? 4 : 2)) \
+    X(KEY_UNITS, (DIVISIONS != 0 ? DIVISIONS : BOXES != 0 ? 3 : 1)) \
+    X(KEY_DIVISION, ((W + WD + DIVISION_STEP) / DIVISION_STEP + 1)) \
+    X(KEY_PRODUCTS, ((2 * ((WD + 16) / 17) + (2 * WD + 16) / 17) * ((2 * W + WD + 68) / 34) + 6)) \
+    X(KEY_CLOCKS, (max(KEY_DIVISION, KEY_PRODUCTS))) \
+    X(ROOT_UNITS, (ROOTS != 0 ? ROOTS : PIPES > 1 ? 6 : 3)) \
+    X(ROOT_BITS, (PR != 0 ? PR : W + WD)) \
+    X(QUOTIENT_CLOCKS, ((PQ + QUOTIENT_STEP - 1) / QUOTIENT_STEP + 6)) \
+    X(REFRACT_CLOCKS, (62 + 11 * (WD > 17) + (ROOT_BITS + 1) / 2))
 #define SPH_EACH_LOAD(X)  \
-    X(node_visits, "node visits", PIPES, node_visits + ACCEL * (4 * rays + node_visits - child_tests / 2)) \
+    X(node_visits, "node visits", PIPES, node_visits + ACCEL * (4*rays + node_visits - child_tests/2)) \
     X(rays_set_up_for_planes, "rays set up for planes", PIPES, (ACCEL + BOXES > 0) * rays * 33 / 4) \
     X(records_to_tests, "records to tests", LEAF_COUNT, 2 * (leaf_tests + facet_tests)) \
     X(exact_tests_of_spheres, "exact tests of spheres", LEAF_COUNT, leaf_tests * LEAF_INTERVAL) \
-    X(exact_tests_of_facets, "exact tests of facets", LEAF_COUNT, facet_tests * (FACET_INTERVAL + (FACET_INTERVAL == 0) * (2 + 2 * (BOXES == 0) * (W >= 18)))) \
-    X(keys_of_facets, "keys of facets", LEAF_COUNT * (DIVISIONS + (DIVISIONS == 0) * (1 + 2 * BOXES)), divisions * max((W + WD + DIVISION_STEP) / DIVISION_STEP + 1, (2 * ((WD + 16) / 17) + (2 * WD + 16) / 17) * ((2 * W + WD + 34) / 34 + 1) + 6)) \
-    X(roots, "roots", LEAF_COUNT * (ROOTS + (ROOTS == 0) * (3 + 3 * (PIPES > 1))), roots * ((PR + (PR == 0) * (W + WD) + ROOT_STEP - 1) / ROOT_STEP + 2)) \
-    X(unit_vectors, "unit vectors", SETUP_UNITS * UNITS, (rays_primary + rays_reflected + rays_refracted + quotients * (1 + N_LIGHTS)) * UNIT_INTERVAL) \
-    X(quotients, "quotients", SHADE_UNITS * QUOTIENTS, quotients * ((PQ + QUOTIENT_STEP - 1) / QUOTIENT_STEP + 6)) \
+    X(exact_tests_of_facets, "exact tests of facets", LEAF_COUNT, facet_tests * FACET_CLOCKS) \
+    X(keys_of_facets, "keys of facets", LEAF_COUNT * KEY_UNITS, divisions * KEY_CLOCKS) \
+    X(roots, "roots", LEAF_COUNT * ROOT_UNITS, roots * ((ROOT_BITS - 1) / ROOT_STEP + 3)) \
+    X(unit_vectors, "unit vectors", SETUP_UNITS * UNITS, vectors * UNIT_INTERVAL) \
+    X(quotients, "quotients", SHADE_UNITS * QUOTIENTS, quotients * QUOTIENT_CLOCKS) \
     X(points_and_normals, "points and normals", SHADE_UNITS, quotients * HIT_INTERVAL) \
     X(mirrored_directions, "mirrored directions", SHADE_UNITS, rays_reflected * BOUNCE_INTERVAL) \
-    X(refracted_directions, "refracted directions", SHADE_UNITS, rays_refracted * (62 + 11 * (WD > 17) + (PR + (PR == 0) * (W + WD) + 1) / 2)) \
+    X(refracted_directions, "refracted directions", SHADE_UNITS, rays_refracted * REFRACT_CLOCKS) \
     X(lights_added, "lights added", SHADE_UNITS, 3 * quotients * (1 + N_LIGHTS)) \
     X(highlights, "highlights", SHADE_UNITS, powers * 24) \
     X(surfaces_blended, "surfaces blended", SHADE_UNITS, SUM * surfaces * 12) \

@@ -73,8 +73,10 @@ static void loads(const struct sph_machine *m, const struct sph_core_sizes *s, c
     USE INTERPENETRATE = has_INTERPENETRATE, SUM = has_SUM, SMOOTH = has_SMOOTH, ACCEL = has_BIH,
         BOXES = has_BOXES;
     SPH_EACH_UNIT_COUNT(UNIT)
+    SPH_EACH_RATE(UNIT)
     SPH_EACH_COUNTER(COUNT)
     USE later = rays_reflected + rays_refracted, rays = rays_primary + rays_shadow + later;
+    USE vectors = rays_primary + later + quotients * (1 + N_LIGHTS);
     USE surfaces = later + w->seen, textured = texels / of_texture[m->regs[SPH_REG_TEX_FILTER]];
 #define LOAD(name, text, units, all) (double)(all) / (double)(ENGINES * (units)),
     const double each[SPH_LOADS] = {SPH_EACH_LOAD(LOAD)};

@@ -81,8 +81,12 @@ def least(count, machine, core):
         "N_LIGHTS": machine["lights"], "surfaces": count["quotients"],
         "rays": count["rays_primary"] + count["rays_shadow"] + later,
         "textured": count["texels"] // TEXELS}
+    words["vectors"] = count["rays_primary"] + later + count["quotients"] * (1 + machine["lights"])
     found, lines = [], lines_of(count, core)
-    for name, (many, clocks) in definition.Definition().loads.items():
+    defined = definition.Definition()
+    for name, rule in defined.rates.items():
+        words[name] = definition.value(rule, words)
+    for name, (many, clocks) in defined.loads.items():
         many, clocks = definition.value(many, words), definition.value(clocks, words)
         if clocks:
             found.append(Unit(name, clocks / core["ENGINES"] / many,
