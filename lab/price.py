@@ -20,7 +20,7 @@ HEAD = ["", "dB", "expected", "wrong", "undecided", "cycles a pixel", "limit", "
         "RAM", "MHz", "ms a frame"]
 STYLE = ('<style>.strip{display:flex;flex-wrap:wrap;gap:1em}.strip figure{margin:0}'
          '.crop{width:%dpx;max-width:100%%;overflow:hidden}.crop img{width:300%%;max-width:none;'
-         'margin-left:-200%%;display:block}.best td{font-weight:bold}</style>')
+         'margin-left:-200%%;display:block}</style>')
 
 
 def make(build, *words):
@@ -92,7 +92,7 @@ def line(row):
         return [row["name"], row["why"]] + [""] * (len(HEAD) - 2)
     of, area = row["measured"], row["cells"] or {}
     expected = row["expected"] or {"psnr": None}
-    cycles = row["rtl"] or row["cycles_per_pixel"]
+    cycles = row.get("rtl") or row["cycles_per_pixel"]
     return [row["name"], shown(of["psnr"], "{:.2f}") if of["psnr"] is not None else "equal",
             shown(expected["psnr"], "{:.2f}"), str(of["wrong"]), str(of["undecidable"]),
             f"{cycles:.2f}", row["limit"]["unit"], *(shown(area.get(name)) for name in (
@@ -101,12 +101,12 @@ def line(row):
 
 
 def text(price):
-    rows = [HEAD] + [line(row) for row in price["rows"]]
-    wide = [max(len(row[i]) for row in rows if not (i == 1 and row[2:] == [""] * (len(HEAD) - 2)))
+    cells_of = [HEAD] + [line(row) for row in price["rows"]]
+    wide = [max(len(row[i]) for row in cells_of if not (i == 1 and row[2:] == [""] * (len(HEAD) - 2)))
             for i in range(len(HEAD))]
     return "\n".join(("* " if i - 1 == price["best"] else "  ") + "  ".join(
         cell.ljust(wide[0]) if k == 0 else cell.rjust(wide[k]) for k, cell in enumerate(row)).rstrip()
-        for i, row in enumerate(rows))
+        for i, row in enumerate(cells_of))
 
 
 def plot(folder, price):
@@ -138,12 +138,17 @@ def strip(folder, scene, tool, price):
     return f'<div class="strip">{"".join(figures)}</div>'
 
 
+def rows(price):
+    """The table as HTML."""
+    return html.table(HEAD, [("best" if i == price["best"] else "",
+                              [html.text(cell) for cell in line(row)])
+                             for i, row in enumerate(price["rows"])], range(1, len(HEAD)))
+
+
 def page(folder, scene, tool, price):
-    rows = [("best" if i == price["best"] else "", [html.text(cell) for cell in line(row)])
-            for i, row in enumerate(price["rows"])]
     body = (STYLE % min(price["width"], 480) + "<h1>What accuracy costs in time</h1>"
             f"<p>{html.text(scene)}, {price['width']}x{price['height']}</p>"
-            + html.table(HEAD, rows, range(1, len(HEAD))) + f"<p>{html.text(price['says'])}</p>"
+            + rows(price) + f"<p>{html.text(price['says'])}</p>"
             + (f"<p>Does not pay: {html.text(price['tried'])}.</p>" if price["tried"] else "")
             + "<h2>Error against time</h2>")
     if plot(folder, price):

@@ -108,6 +108,12 @@ cat "$run/log"
 [ -f "$run/rtl.frame" ] || exit "$rc"
 "$BUILD/sim/pictures" "$run/model.frame" "$run/rtl.frame" "$run" "$SAMPLES"
 printf '%s\n' "${REPEATED:-}" >"$run/command"
+# What other profiles would cost, for the report, of a scene that is built at once.
+if [ -n "$(find "$run/scene.sph" -size -256k)" ]; then
+    # shellcheck disable=SC2086  # a list of words on purpose
+    "$tool" price "$scene" $BUILD_OPTIONS --profile auto --pixels 8192 --json "$run/price.json" \
+        >"$run/price.log" 2>&1 || find "$run" -name price.json -delete
+fi
 # A mismatch: its pixel alone once more, with a waveform, which the report links.
 repeat=$(sed -n 's/^repeat: //p' "$run/log")
 if [ "$rc" = 1 ] && [ "$SIM" = verilator ] && [ -n "$repeat" ]; then
