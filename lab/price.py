@@ -18,6 +18,7 @@ from .synth import results
 PROFILES = ("draft", "standard", "fine", "reference")
 HEAD = ["", "dB", "expected", "wrong", "undecided", "cycles a pixel", "limit", "LUT4eq", "MULT",
         "RAM", "MHz", "ms a frame"]
+NO_MORE = [""] * (len(HEAD) - 2)     # of a row that could not be built
 STYLE = ('<style>.strip{display:flex;flex-wrap:wrap;gap:1em}.strip figure{margin:0}'
          '.crop{width:%dpx;max-width:100%%;overflow:hidden}.crop img{width:300%%;max-width:none;'
          'margin-left:-200%%;display:block}</style>')
@@ -34,7 +35,7 @@ def make(build, *words):
 
 
 def cells(build, row):
-    """Cells of the row's core, from a synthesis that is made if it is not there; None if it fails."""
+    """Cells of the row's core, synthesised unless that was done before; None if it fails."""
     pipes = str(row["pipes"])
     key = clocks.key(row["profile"], row["core"], PIPES=pipes)
     folder = Path(build, "synth", key)
@@ -48,9 +49,8 @@ def cells(build, row):
 
 def simulated(build, row, pixels):
     """Clocks a pixel of the row on the RTL; None if it fails."""
-    trees = {"binary tree": "bih"}
-    accel = trees.get(row["tree"], "box4" if "+boxes" in row["core"] else
-                      "bih" if "+bih" in row["core"] else "bvh4")
+    has = row["core"].split("+")
+    accel = "box4" if "boxes" in has else "bih" if "bih" in has else "bvh4"
     words = [f"{name}={os.environ.get(name, '')}" for name in ("SCENE", "SIZE", "SEED", "DEPTH",
                                                              "LATENCY")]
     words += [f"PROFILE={row['profile']}", f"PIPES={row['pipes']}", f"ACCEL={accel}"]
@@ -89,7 +89,7 @@ def clock(found):
 def line(row):
     """The cells of a row."""
     if row["why"]:
-        return [row["name"], row["why"]] + [""] * (len(HEAD) - 2)
+        return [row["name"], row["why"]] + NO_MORE
     of, area = row["measured"], row["cells"] or {}
     expected = row["expected"] or {"psnr": None}
     cycles = row.get("rtl") or row["cycles_per_pixel"]
@@ -102,11 +102,13 @@ def line(row):
 
 def text(price):
     cells_of = [HEAD] + [line(row) for row in price["rows"]]
-    wide = [max(len(row[i]) for row in cells_of if not (i == 1 and row[2:] == [""] * (len(HEAD) - 2)))
+    wide = [max(len(row[i]) for row in cells_of if i != 1 or row[2:] != NO_MORE)
             for i in range(len(HEAD))]
-    return "\n".join(("* " if i - 1 == price["best"] else "  ") + "  ".join(
-        cell.ljust(wide[0]) if k == 0 else cell.rjust(wide[k]) for k, cell in enumerate(row)).rstrip()
-        for i, row in enumerate(cells_of))
+    lines = []
+    for i, row in enumerate(cells_of):
+        cells_in = [row[0].ljust(wide[0])] + [cell.rjust(w) for cell, w in zip(row[1:], wide[1:])]
+        lines.append(("* " if i - 1 == price["best"] else "  ") + "  ".join(cells_in).rstrip())
+    return "\n".join(lines)
 
 
 def plot(folder, price):
@@ -171,8 +173,9 @@ def main(folder, scene):
     for note in notes:
         if note.startswith(("sample:", "energy:", "does not pay:")):
             print(note)
-    print("cycles: " + (f"of the RTL, memory answers after {os.environ.get('LATENCY')} clocks" if rtl
-                        else "by the model's counters; RTL=1 measures them"))
+    latency = os.environ.get("LATENCY")
+    print(f"cycles: of the RTL, memory answers after {latency} clocks" if rtl else
+          "cycles: by the model's counters; RTL=1 measures them")
     if any(not row["clock"] for row in price["rows"] if not row["why"]):
         print("clock -: nobody has routed that core; make study-seeds does")
     print(price["says"])
