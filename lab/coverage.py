@@ -13,7 +13,7 @@ import subprocess
 import sys
 from collections import defaultdict
 
-from .faults import benches
+from . import benches
 from .faults.drawn import page, plan
 from .pages import place
 

@@ -99,7 +99,7 @@ struct sph_build_report {
     double fov_error;       /* of tan(angle/2), relative; and by how much of their distance from
                                the middle of the picture an eye put nearer moves points */
     struct sph_eye eye;     /* where it is put */
-    uint32_t nodes, depth;  /* of the tree */
+    uint32_t nodes, depth;  /* of the tree: how many, on how many levels */
     char tree_why[64];      /* empty if it was asked for */
     int refitted;           /* the tree is that of the frame before, in new places */
     double tree_cost;       /* then: its cost over that of the tree when it was built; else 1 */

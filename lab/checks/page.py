@@ -22,7 +22,7 @@ for table in Path("docs/results/data").glob("accuracy.*.tsv"):
 
 def page_of(*options):
     shutil.copy("docs/results/accuracy.md", page)
-    ran = subprocess.run([sys.executable, "-m", "lab", "study-page", *options, page, results,
+    ran = subprocess.run([sys.executable, "-m", "lab", "accuracy-page", *options, page, results,
                           folder + "/plots"],
                          check=True, stdout=subprocess.PIPE, text=True)
     text = ran.stdout + markdown.REGION.sub("", Path(page).read_text(encoding="utf-8"))

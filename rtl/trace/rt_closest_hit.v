@@ -4,7 +4,7 @@
 // The best key gives a depth beyond which nothing can win: key * scale >> shift, rounded up; with
 // KEYS its own top bits are that depth, and FW + 1 of them are kept.
 // One result a cycle; the token leaves 4 cycles after the last result of its visit.
-// Model: keep() in cmodel/trace/leaf_unit.c, sph_ray_depth() in cmodel/trace/setup.c
+// Model: keep_nearest() in cmodel/trace/leaf_unit.c, sph_ray_depth() in cmodel/trace/setup.c
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"

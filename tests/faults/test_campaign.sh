@@ -5,7 +5,7 @@ set -u
 . "$(dirname "$0")/../tap.sh"
 cd "$(dirname "$0")/../.." || exit 1
 BUILD=${BUILD:-build}
-sh tb/run_bench.sh --tools >"$TMP/tools" 2>&1 || cat "$TMP/tools"
+BENCH_BUILD=$BUILD python3 -m lab benches --tools >"$TMP/tools" 2>&1 || cat "$TMP/tools"
 mkdir -p "$TMP/sim" "$TMP/test"
 ln -s "$(realpath "$BUILD")/sim/obj" "$TMP/sim/obj"
 ln -s "$(realpath "$BUILD")/libsphaera.a" "$TMP/libsphaera.a"

@@ -28,7 +28,7 @@ check "textures" nothing lab textures-page $results/texture_results.md $results/
 check "bart" nothing lab bart-page $results/texture_results.md empty 48x27 kitchen:400:50 \
     robot:3:2 museum:7:7
 check "truth" nothing lab truth-page $results/accuracy.md empty docs/pictures/truth
-check "study" nothing lab study-page --only-tables $results/accuracy.md empty empty/study
+check "study" nothing lab accuracy-page --only-tables $results/accuracy.md empty empty/study
 check "area" nothing lab area-page $results/speed_and_area.md empty standard-ecp5-all-engines1
 check "fuzz" nothing lab fuzz-page empty/runs.tsv $results/verification.md
 check "one table" nothing lab place $results/verification.md "make host-page" events empty/events

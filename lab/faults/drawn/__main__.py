@@ -12,9 +12,9 @@ import shutil
 import sys
 import time
 
+from ...benches import Broken
 from ...jobs import plan as jobs
 from ...jobs import store
-from ..benches import Broken
 from . import benches, binary, page, plan
 from .netlist import Fault
 

@@ -26,10 +26,10 @@ from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
 
 from ... import intact
+from ...benches import Broken
 from ...jobs import store
 from ...pages import data, place
 from .. import programs
-from ..benches import Broken
 from . import equivalent
 
 FOLDERS = ("core", "engine", "fast", "machine", "math", "pixel", "prim", "render", "shade",
