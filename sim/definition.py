@@ -110,6 +110,11 @@ class Definition:
             self.profiles[words[0]] = dict(zip(WIDTHS, map(int, words[1:7])))
         elif kind == "width":
             self.bounds[words[0]] = int(words[3]), int(words[4])
+        elif kind == "shade":
+            for word in words:
+                if word not in [e.core for e in self.effects.values()] and \
+                        word.lower() not in self.sizes:
+                    self.fail(f"{word} is no parameter")
         elif kind == "pace":
             for word in words[1:]:
                 name, _, given = word.partition("=")
