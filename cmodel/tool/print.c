@@ -54,6 +54,7 @@ void print_build(FILE *to, const struct tool_built *built) {
     fprintf(to, "tree     %s: %u nodes on %u levels, %.3f s%s%s\n", sph_machine_tree_name(m),
             b->nodes, b->depth, b->build_seconds, b->tree_why[0] ? ", " : "", b->tree_why);
     print_effects(to, b);
+    print_lines(to, "left out ", b->left_out);
     if (b->bases_computed)
         fprintf(to, "bases    %" PRIu64 " made: levels of textured primitives\n",
                 b->bases_computed);
