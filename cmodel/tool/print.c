@@ -34,6 +34,14 @@ static void print_effects(FILE *to, const struct sph_build_report *b) {
     }
 }
 
+void print_left_out(FILE *to, const struct sph_build_report *b) {
+    if (!to) return;
+    for (int i = 0; i < SPH_REPORTS; i++)
+        if (b->effects[i].left_out)
+            fprintf(to, "left out %s: %s\n", b->effects[i].name, b->effects[i].why);
+    print_lines(to, "left out ", b->left_out);
+}
+
 void print_build(FILE *to, const struct tool_built *built) {
     const struct sph_build_report *b = &built->report;
     const struct sph_machine *m = &built->machine;
