@@ -30,7 +30,8 @@ static void print_effects(FILE *to, const struct sph_build_report *b) {
         const struct sph_effect_report *e = &b->effects[i];
         char on[16];
         snprintf(on, sizeof on, sph_parts[i].most > 1 ? "%d" : "on", e->on);
-        fprintf(to, "effect   %-14s %-3s %s\n", e->name, e->on ? on : "off", e->why);
+        fprintf(to, "effect   %-14s %-3s %s%s\n", e->name, e->on ? on : "off",
+                e->left_out && !e->on ? "left out: " : "", e->why);
     }
 }
 

@@ -8,7 +8,7 @@
 void sph_leave_out(struct sph_effect_report *entry, const char *why) {
     entry->called = 0;
     entry->left_out = 1;
-    sph_note(entry->why, sizeof entry->why, "; left out: %s", why);
+    sph_note(entry->why, sizeof entry->why, "; %s", why);
 }
 
 int sph_is_unmet(const struct sph_scene *scene, const struct sph_build_options *o,
