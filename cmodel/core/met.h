@@ -14,7 +14,6 @@ struct sph_met {
     uint32_t lit;     /* bit l: light l of the machine reaches a surface that faces it */
     uint32_t blocked; /* bit l: something stands between it and such a surface */
     uint32_t inside;  /* 1: a ray found, from inside, what it may start in */
-    uint32_t depth;   /* bit d: a ray was followed that d surfaces sent on */
 };
 
 /* Bit l: a ray to light l found the primitive; and: the colour of its surface was asked for. */

@@ -226,7 +226,6 @@ static int path(const struct sph_job *j, struct sph_ray ray) {
             at = refracted_ray;
         }
         if (j->log) j->log->depth = at.depth;
-        if (j->met) sph_met_add(&j->met->depth, 1u << at.depth);
         hit = sph_job_trace(j, &at.ray);
         prim = prim_line(j, &hit);
         if (probe && prim && hit.fars > own) return 1;

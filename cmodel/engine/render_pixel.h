@@ -28,7 +28,7 @@ struct sph_render_options {
     /* may be NULL; every ray, with one thread: of one pixel they are a tree */
     struct sph_ray_log *log;
     struct sph_stages *stages; /* the same: of one pixel, by the literal walk */
-    struct sph_met *met;       /* may be NULL */
+    struct sph_met *met;       /* may be NULL; of a machine that is sound */
 };
 
 /* Renders pixel x, y; adds to *c and to the sticky *errors. Of the options traverse, fetch

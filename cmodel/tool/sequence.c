@@ -10,6 +10,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "builder/emit.h"
 #include "common/output.h"
 #include "image/mips.h"
 #include "scene/motion.h"
@@ -19,7 +20,6 @@
 #include "tool/print.h"
 #include "tool/progress.h"
 #include "trial/met.h"
-#include "builder/emit.h"
 
 void tool_frames_parse(const struct argp_state *state, const char *arg,
                        struct tool_frames *frames) {

@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include "builder/effects/effects.h"
-#include "builder/grid/light.h"
 #include "builder/emit.h"
 #include "machine/kinds.h"
 #include "machine/records.h"
@@ -31,6 +30,7 @@ static int draw(struct sph_census *c, const struct sph_machine *m, const uint32_
     sph_frame_free(&frame);
     if (errors > 0) c->kept = "the drawing of it found errors";
     for (int l = 0; l < r[SPH_REG_N_LIGHTS]; l++) {
+        c->lights |= 1u << lights[l];
         c->lit |= (met.lit >> l & 1) << lights[l];
         c->blocked |= (met.blocked >> l & 1) << lights[l];
     }
@@ -79,7 +79,7 @@ const struct sph_unmet *sph_census_unmet(struct sph_census *c, struct sph_scene 
         c->shaded[i] = !(c->prims[i] & SPH_MET_SHADED);
     for (int l = 0; l < scene->n_lights && o->lights == SPH_AUTO; l++) {
         struct sph_light *lamp = &scene->lights[l];
-        if (c->lit >> l & 1 || sph_light_black(lamp)) continue;
+        if (!((c->lights & ~c->lit) >> l & 1)) continue;
         c->unmet.lights |= 1u << l;
         memset(lamp->rgb, 0, sizeof lamp->rgb);
     }

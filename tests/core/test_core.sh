@@ -164,6 +164,15 @@ for sim in verilator icarus; do
     wanted "$sim a primitive that no ray meets" all SIM=$sim "$machines/paper100-draft-8x6.sph" \
         --poke $record:189:1=1
 done
+# The same of a machine whose camera moves behind the mirror that its own frame does not show.
+moved=$machines/moved.sph
+"$SPHAERA" build tests/scenes/met/mirror_behind.nff --profile draft --size 8x6 -o "$moved" \
+    >"$TMP/build" 2>&1 || check "a mirror behind the eye" cat "$TMP/build"
+for sim in verilator icarus; do
+    wanted "$sim a mirror left out is not met" auto SIM=$sim "$moved"
+    wanted "$sim a camera that moves meets a mirror left out" auto SIM=$sim "$moved" \
+        --reg 20=704 --expect-errors 64
+done
 broken "bus error at the first line" 8 --bus-error-at 0
 broken "bus error later" 8 --bus-error-at 9
 
