@@ -1,4 +1,4 @@
-/* sphaera_regs.h - generated from top.def and machine.def by gen_top.awk; do not edit
+/* sphaera_regs.h - generated from top.def and machine.def by make layout; do not edit
  * SPDX-License-Identifier: Apache-2.0
  */
 #ifndef SPHAERA_REGS_H

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * Borodavka et al. IV (tree), V (background separation); docs/design/builder.md,
- * docs/results/background.md.
+ * docs/results/effects.md.
  */
 #ifndef SPH_BUILD_H
 #define SPH_BUILD_H
@@ -84,7 +84,7 @@ enum { SPH_BUILD_SHARED = 1000 }; /* primitives from which on threads share a bu
         .asked = {SPH_EACH_EFFECT(SPH_BUILD_ASKED)}, .tex_filter = SPH_FILTER_BETWEEN              \
     }
 
-/* A leaf of no more is not cut if nothing else is asked for: docs/results/scenarios.md has what it
+/* A leaf of no more is not cut if nothing else is asked for: docs/results/trees.md has what it
  * costs.
  */
 enum { SPH_BIH_PRIMS = 4 };
@@ -109,7 +109,7 @@ struct sph_build_report {
     double fov_error;       /* of tan(angle/2), relative; and by how much of their distance from
                                the middle of the picture an eye put nearer moves points */
     struct sph_eye eye;     /* where it is put */
-    uint32_t nodes, depth;  /* of the tree */
+    uint32_t nodes, depth;  /* of the tree: how many, on how many levels */
     char tree_why[64];      /* empty if it was asked for */
     int refitted;           /* the tree is that of the frame before, in new places */
     double tree_cost;       /* then: its cost over that of the tree when it was built; else 1 */

@@ -1,4 +1,4 @@
-/* layout.h - generated from machine.def by gen_layout.awk; do not edit
+/* layout.h - generated from machine.def by make layout; do not edit
  * SPDX-License-Identifier: Apache-2.0
  */
 #ifndef SPH_LAYOUT_H

@@ -1,7 +1,7 @@
 /* material.h - what a primitive record says of its surface           RTL: rtl/shade/rt_share.v
  * SPDX-License-Identifier: Apache-2.0
  *
- * Shares and words: docs/design/refraction.md, docs/design/shading.md.
+ * Shares and words: docs/design/shading.md, docs/design/shading.md.
  */
 #ifndef SPH_MATERIAL_H
 #define SPH_MATERIAL_H

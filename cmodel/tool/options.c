@@ -75,14 +75,15 @@ const struct tool_source tool_source_default = {
     .samples = 1,
     .loss = 0.1,
     .profile_auto = 1,
-    .keep = {SPH_KEEP_PIXELS, SPH_KEEP_PSNR},
+    .bound = {SPH_ERROR_BOUND_PIXELS, SPH_ERROR_BOUND_PSNR},
     .build = SPH_BUILD_DEFAULT,
 };
 
 const char *const tool_filter_names[] = {"nearest", "bilinear", "level", "between", NULL};
 
 /* PIXELS or PIXELS,DB */
-static void keep(const struct argp_state *state, const char *arg, struct sph_keep *to) {
+static void parse_error_bound(const struct argp_state *state, const char *arg,
+                              struct sph_error_bound *to) {
     size_t n = strcspn(arg, ",");
     double off = 0, psnr = to->psnr;
     char pixels[32] = "";
@@ -93,7 +94,7 @@ static void keep(const struct argp_state *state, const char *arg, struct sph_kee
                    "--error: '%s' is no error such as 0.125 or 0.125,45: pixels from 1e-9 to "
                    "1e9, and dB up to 99",
                    arg);
-    *to = (struct sph_keep){off, psnr};
+    *to = (struct sph_error_bound){off, psnr};
 }
 
 /* off, on, auto or auto:PERCENT */
@@ -140,7 +141,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         s->build.widths = &s->profile;
         break;
     case KEY_ERROR:
-        keep(state, arg, &s->keep);
+        parse_error_bound(state, arg, &s->bound);
         break;
     case KEY_TREE:
         s->build.tree = numbers[tool_choice(state, "--tree", arg, trees)];

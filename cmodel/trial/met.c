@@ -207,7 +207,7 @@ static void tell(const struct sph_scene *scene, const uint8_t *drop, int64_t n, 
 struct task {
     struct sph_build_options *o; /* numbers: room for all of the scene */
     int choose;
-    const struct sph_keep *keep;
+    const struct sph_error_bound *bound;
     struct sph_profile_choice *choice;
     struct sph_machine *m; /* empty, or what was built last */
     struct sph_build_report *report;
@@ -218,7 +218,7 @@ static int build(const struct task *t, const struct sph_scene *scene, const stru
                  struct sph_error *err) {
     sph_machine_free(t->m);
     t->o->unmet = unmet;
-    int rc = sph_build_kept(scene, t->o, t->choose, t->keep, t->choice, t->m, t->report, err);
+    int rc = sph_build_kept(scene, t->o, t->choose, t->bound, t->choice, t->m, t->report, err);
     t->o->unmet = NULL;
     return rc;
 }
@@ -270,11 +270,11 @@ static int leave_out(const struct task *t, struct sph_census *c, const struct sp
 }
 
 int sph_build_met(const struct sph_scene *scene, struct sph_build_options *o, int choose,
-                  const struct sph_keep *keep, struct sph_profile_choice *choice,
+                  const struct sph_error_bound *bound, struct sph_profile_choice *choice,
                   struct sph_machine *machine, struct sph_build_report *report,
                   struct sph_error *err) {
     struct sph_census c = {0};
-    struct task t = {o, choose, keep, choice, machine, report};
+    struct task t = {o, choose, bound, choice, machine, report};
     size_t n = (size_t)scene->n_spheres + scene->n_facets + 1;
     uint8_t *drop = calloc(n, 1);
     memset(machine, 0, sizeof *machine);

@@ -1,4 +1,4 @@
-// rt_layout.vh - generated from machine.def by gen_layout.awk; do not edit
+// rt_layout.vh - generated from machine.def by make layout; do not edit
 // SPDX-License-Identifier: Apache-2.0
 `ifndef RT_LAYOUT_VH
 `define RT_LAYOUT_VH

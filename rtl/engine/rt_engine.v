@@ -1,6 +1,6 @@
 // rt_engine.v - pixels under way: set-up, traversal, exact tests, shading, slots
 // SPDX-License-Identifier: Apache-2.0
-// It only wires five groups together, as drawn in docs/design/engine.md; each bundle that they
+// It only wires five groups together, as drawn in docs/design/overview.md; each bundle that they
 // exchange has one source. A slot is {pipe, slot of its own}; its top bits name the leaf unit and
 // the shading unit that serve it.
 // Model: sph_render_pixel() in cmodel/engine/render_pixel.c, SLOTS pixels at once

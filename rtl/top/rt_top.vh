@@ -1,4 +1,4 @@
-// rt_top.vh - generated from top.def and machine.def by gen_top.awk; do not edit
+// rt_top.vh - generated from top.def and machine.def by make layout; do not edit
 // SPDX-License-Identifier: Apache-2.0
 `ifndef RT_TOP_VH
 `define RT_TOP_VH

@@ -15,7 +15,7 @@
 enum { WIDTH = 64, HEIGHT = 36 };
 
 static struct sph_build_report report, full;
-static const struct sph_keep keep = {SPH_KEEP_PIXELS, SPH_KEEP_PSNR};
+static const struct sph_error_bound bound = {SPH_ERROR_BOUND_PIXELS, SPH_ERROR_BOUND_PSNR};
 
 enum { IMAGES = 16 };
 static struct sph_mip images[IMAGES]; /* noise: what a file shows does not matter here */
@@ -55,7 +55,7 @@ static struct sph_machine build(const struct read *r, int met) {
     struct sph_error err = {{0}};
     struct sph_build_options o = r->o;
     struct sph_profile_choice choice;
-    if ((met ? sph_build_met : sph_build_kept)(&r->scene, &o, 1, &keep, &choice, &m,
+    if ((met ? sph_build_met : sph_build_kept)(&r->scene, &o, 1, &bound, &choice, &m,
                                                met ? &report : &full, &err))
         fail_msg("%s", err.text);
     if (sph_machine_validate(&m, &err)) fail_msg("%s: %s", r->scene.path, err.text);
