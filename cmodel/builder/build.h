@@ -23,6 +23,14 @@ enum { SPH_BG_NONE = 0, SPH_BG_RECT = 1, SPH_BG_SPANS = 2, SPH_BG_EXACT = 3 };
 enum { SPH_BUILD_NEAREST = 0, SPH_BUILD_FIRST = 1 };
 enum { SPH_AUTO = -1, SPH_OFF = 0, SPH_ON = 1 }; /* auto: as the scene calls for */
 
+/* What rays of the frame do not meet, as a drawing of it has shown: trial/met.h. */
+struct sph_unmet {
+    const uint8_t *prims; /* 1: no ray asks what the surface looks like; by number in the scene */
+    uint32_t lights;      /* bit l: light l of the scene lights nothing; it is black there */
+    int shadow;           /* nothing stands between a light and what it lights */
+    int inside;           /* no ray starts in a sphere */
+};
+
 struct sph_build_options {
     const struct sph_profile *widths; /* NULL: those of `profile` */
     int profile;                      /* SPH_DRAFT .. */
@@ -58,6 +66,7 @@ struct sph_build_options {
     int later;                       /* of a sequence, not the first: nothing is measured to be told
                                         alone, so that planes_cut and its warning are left out */
     const struct sph_progress *progress; /* NULL, or who is told how far it is */
+    const struct sph_unmet *unmet;       /* NULL: rays may meet all that the scene names */
     uint32_t *numbers; /* NULL, or where the number in the scene of each of the machine's primitives
                           goes: spheres, then facets; as many words as the scene has */
 };
@@ -89,6 +98,7 @@ static inline const struct sph_profile *sph_build_profile(const struct sph_build
 struct sph_effect_report {
     const char *name;
     int on, called; /* lights, reflections, or 0 and 1: in the machine; called for by the scene */
+    int left_out;   /* the scene names what calls for it, but no ray of the frame meets that */
     char why[2048]; /* names the material, light or spheres; no line ends */
 };
 
@@ -116,6 +126,7 @@ struct sph_build_report {
     uint64_t bases_computed, bases_kept; /* P_b of textured primitives */
     struct sph_flops bases_flops;        /* of those computed */
     struct sph_effect_report effects[SPH_REPORTS];
+    char left_out[2048]; /* what else the frame does not ask for, one line each (trial/met.h) */
     int lights[SPH_MAX_LIGHTS]; /* number in the scene of each light of the machine */
 };
 

@@ -12,6 +12,7 @@
 #include "scene/aff.h"
 #include "scene/generate.h"
 #include "tool/tool.h"
+#include "trial/met.h"
 #include "validate/validate.h"
 
 int tool_is_machine(const char *path) {
@@ -78,8 +79,12 @@ int tool_build_scene(const struct tool_source *source, const struct sph_scene *s
     built->skipped = scene->n_skipped;
     o.mips = mips;
     if (tool_frame_size(source, scene, &o, err)) return -1;
-    if (sph_build_kept(scene, &o, source->profile_auto, &source->bound, &choice, &built->machine,
-                       report, err))
+    int (*build)(const struct sph_scene *, struct sph_build_options *, int,
+                 const struct sph_error_bound *, struct sph_profile_choice *, struct sph_machine *,
+                 struct sph_build_report *, struct sph_error *) =
+        source->effects == TOOL_EFFECTS_MET ? sph_build_met : sph_build_kept;
+    if (build(scene, &o, source->profile_auto, &source->bound, &choice, &built->machine, report,
+              err))
         return -1;
     built->expected = choice.estimate[o.profile];
     if (source->profile_auto)

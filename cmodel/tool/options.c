@@ -22,7 +22,8 @@ enum {
     KEY_LOD,
     KEY_LOD_BITS,
     KEY_SAMPLES,
-    KEY_ERROR
+    KEY_ERROR,
+    KEY_EFFECTS
 };
 
 static const struct argp_option options[] = {
@@ -53,6 +54,10 @@ static const struct argp_option options[] = {
      "N x N rays a pixel, 1 to 16: the frame is N times as wide and high, and pictures have the "
      "mean "
      "of its light (1)",
+     1},
+    {"effects", KEY_EFFECTS, "WHICH", 0,
+     "those that rays of the frame meet, which is drawn once to find out (met: `build` does so by "
+     "default), or all that the scene names (all: the other commands)",
      1},
     {"traverse", KEY_TRAVERSE, "HOW", 0,
      "primary rays find the nearest hit (default), or end at the first one, as in the paper", 1},
@@ -122,6 +127,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     struct tool_source *s = state->input;
     struct sph_error err = {{0}};
     static const char *const lods[] = {"mended", "paper", NULL};
+    static const char *const whiches[] = {"all", "met", NULL};
     switch (key) {
     case ARGP_KEY_INIT:
         for (int i = 0; i < 3; i++)
@@ -163,6 +169,9 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     case KEY_SAMPLES:
         s->samples = (int)tool_number(state, "--samples", arg, 1, TOOL_SAMPLES);
         return 0; /* for machines too */
+    case KEY_EFFECTS:
+        s->effects = tool_choice(state, "--effects", arg, whiches);
+        break;
     case KEY_TRAVERSE:
         s->build.traverse = SPH_BUILD_NEAREST + tool_choice(state, "--traverse", arg, hows);
         break;

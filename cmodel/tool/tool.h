@@ -30,6 +30,7 @@ int tool_reference(int argc, char **argv);
 int tool_export(int argc, char **argv);
 int tool_operations(int argc, char **argv);
 int tool_trees(int argc, char **argv);
+int tool_price(int argc, char **argv);
 int tool_load_board(int argc, char **argv);
 int tool_view(int argc, char **argv);
 int tool_movie(int argc, char **argv);
@@ -69,6 +70,8 @@ enum { TOOL_SAMPLES = 16 }; /* the most */
 
 enum { TOOL_AUTO, TOOL_BVH4, TOOL_BIH, TOOL_BRUTE, TOOL_BOX4 };
 
+enum { TOOL_EFFECTS_ALL, TOOL_EFFECTS_MET }; /* that the scene names; that rays of the frame meet */
+
 struct tool_source {
     struct sph_build_options build;
     struct sph_read_options read;
@@ -83,6 +86,7 @@ struct tool_source {
     const char *spans_option;     /* that is for --background spans alone */
     int levels_given;             /* --bg-levels, for --background exact */
     int every_background;         /* the command compares them all */
+    int effects;                  /* TOOL_EFFECTS_* */
     const char *option;           /* the last build option given, NULL if none */
     struct tool_outputs outputs;  /* of the command: none may be a file that is read */
 };

@@ -31,6 +31,11 @@ def entries(machine, effects):
                f"{count}, \"{e.about}\")")
 
 
+def of_x(rows):
+    """The macro that calls X with the words of each row."""
+    return "".join(f" \\\n    X({', '.join(row)})" for row in rows)
+
+
 class Layout:
     """defines: (name, value), in the order of the file; of_c, of_verilog: those of one language."""
 
@@ -120,6 +125,17 @@ class Layout:
             entries(self.machine, [e for e in whole if e.is_part]))
         yield "EACH_REG(X)", each("reg")
         yield "EACH_KIND(X)", each("kind")
+        yield "EACH_COUNTER(X)", of_x((name.upper(), name.lower())
+                                      for _, name, *_ in rows["counter"])
+        yield "EACH_SIZE(X)", of_x((size.name, size.standard)
+                                   for size in self.machine.sizes.values())
+        yield "EACH_PACE(X)", of_x((profile.upper(), *word.split("="))
+                                   for profile, words in self.machine.paces.items()
+                                   for word in words)
+        for kind, rules in (("UNIT_COUNT", self.machine.units), ("RATE", self.machine.rates)):
+            yield f"EACH_{kind}(X)", of_x((name, f"({rule})") for name, rule in rules.items())
+        yield "EACH_LOAD(X)", of_x((name.replace(" ", "_"), f'"{name}"', *of)
+                                   for name, of in self.machine.loads.items())
 
     def c(self):
         shared = [row for row in self.defines if row[0] not in self.of_verilog]

@@ -201,6 +201,7 @@ module rt_core #(
     wire [ENGINES*EW-1:0]  events;
     wire [ENGINES-1:0]     issued;
     wire [ENGINES*16-1:0]  faults;
+    wire [ENGINES-1:0]     left_out;
     genvar e;
     generate
         for (e = 0; e < ENGINES; e = e + 1) begin : g_engine
@@ -232,7 +233,8 @@ module rt_core #(
                 .mem_rsp_ready_o(m_rsp_ready[READS*e +: READS]),
                 .mem_rsp_data_i(m_rsp_data), .mem_rsp_error_i(m_rsp_error),
                 .trace_event_o(event_e[0 +: TB]), .exact_event_o(event_e[TB +: XB]),
-                .shade_event_o(event_e[TB+XB +: HB]), .fault_o(faults[16*e +: 16])
+                .shade_event_o(event_e[TB+XB +: HB]), .fault_o(faults[16*e +: 16]),
+                .left_out_o(left_out[e])
             );
             assign p_data[PW*e +: PW] = pix[PW-1:0];
             // ---- events of its units, summed up ----
@@ -347,6 +349,7 @@ module rt_core #(
         if (fault[3]) errors_o[`RT_ERROR_BUS_ERROR]      <= 1'b1;
         if (start && missing_q) errors_o[`RT_ERROR_MISSING_EFFECT] <= 1'b1;
         if (start && foreign_q) errors_o[`RT_ERROR_WRONG_PROFILE]  <= 1'b1;
+        if (|left_out) errors_o[`RT_ERROR_LEFT_OUT] <= 1'b1;
         if (rst) errors_o <= 0;
     end
     // for benches: {turned away, taken, clocks of work}

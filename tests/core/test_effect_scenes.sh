@@ -62,7 +62,7 @@ whole_of() { # list: the core with everything that draws it, or nothing
 
 # Scene, size, machine, options: the command that builds it, over the tree that is listed.
 build() {
-    echo "$SPHAERA build $1 --profile draft --size $2 -o $3 $every $4"
+    echo "$SPHAERA build $1 --effects all --profile draft --size $2 -o $3 $every $4"
 }
 rm -rf "$here"
 mkdir -p "$here"
