@@ -102,6 +102,10 @@ GROUPS = {
         ("ratios", "bench", "TOOL FOLDER", "one way of the golden model against another"),
         ("speed", "speed", "TOOL FOLDER PAGE [EMBREE]", "the golden model beside others"),
         ("clock", "clocks", "CORE [CLOCKS]", "MHz of a core, or frames a second of so many clocks"),
+        ("price", "price", "FOLDER SCENE", "table and picture of make price"),
+        ("cycles", "cycles:measure", "TOOL", "clocks that price foretells, against the RTL"),
+        ("cycles-check", "cycles:check", "TOOL", "... against those that the RTL had"),
+        ("known", "known", "FILE", "cells and clocks of measured cores, for the tool"),
         ("tree-options", "tree_options", "NAME", "options of sphaera build for a tree"),
     ),
     "jobs": (

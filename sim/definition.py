@@ -28,6 +28,7 @@ class Definition:
     def __init__(self):
         self.constants, self.profiles, self.paces, self.bounds = {}, {}, {}, {}
         self.effects, self.sizes, self.units, self.rules = {}, {}, {}, {}
+        self.rates, self.loads = {}, {}     # of a load: how many units, clocks of all together
         self.rows, self.bits, self.line, at = [], 0, 0, {}
         with open(NAME, encoding="utf-8") as f:
             for self.line, text in enumerate(f, 1):
@@ -95,15 +96,25 @@ class Definition:
         if kind == "size":
             about = self.behind(".*", text, words, "what it is does not stand")
             self.sizes[words[0].lower()] = Size(words[0], *words[1:4], words[4] == "power", about)
-        elif kind in ("unit", "legal"):
-            (self.units if kind == "unit" else self.rules)[words[0]] = \
+        elif kind in ("unit", "rate", "legal"):
+            {"unit": self.units, "rate": self.rates, "legal": self.rules}[kind][words[0]] = \
                 self.behind("[^:]*", text, words, "no expression stands")
+        elif kind == "load":
+            parts = re.split(" +: ", text)
+            if len(parts) != 3:
+                self.fail(f"{words[0]}: not `load name : units : clocks`")
+            self.loads[words[0].replace("_", " ")] = parts[1:]
         elif kind == "const":
             self.constants[words[0]] = int(words[1])
         elif kind == "profile":
             self.profiles[words[0]] = dict(zip(WIDTHS, map(int, words[1:7])))
         elif kind == "width":
             self.bounds[words[0]] = int(words[3]), int(words[4])
+        elif kind == "shade":
+            for word in words:
+                if word not in [e.core for e in self.effects.values()] and \
+                        word.lower() not in self.sizes:
+                    self.fail(f"{word} is no parameter")
         elif kind == "pace":
             for word in words[1:]:
                 name, _, given = word.partition("=")

@@ -32,6 +32,8 @@ struct sph_reference_options {
     int spread;                 /* 1: spheres spread what SPH_LOD_MENDED goes by, as with SPREAD */
     int kd;                     /* 1: rays go through a kd-tree */
     struct sph_ref_work *work;  /* NULL, or what the tree does, with one thread */
+    const uint32_t *places;     /* NULL: every pixel; else these alone, y * width + x, */
+    uint32_t n_places;          /* and what comes out is n_places x 1 */
 };
 
 struct sph_reference_pixel {
@@ -70,6 +72,7 @@ struct sph_image_error {
     uint64_t wrong_id;       /* hit in both, another one */
     uint64_t far_off;        /* a channel of the deepest layer is off by more than 8 */
     int worst;               /* largest difference of a channel in the deepest layer */
+    double deviation;        /* of the deepest layer's squared error of a pixel, 0..1 of the most */
 };
 
 /* Renders the scene into *out (allocated here). 0, or -1 with a message (no memory, a camera

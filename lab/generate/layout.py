@@ -31,6 +31,11 @@ def entries(machine, effects):
                f"{count}, \"{e.about}\")")
 
 
+def of_x(rows):
+    """The macro that calls X with the words of each row."""
+    return "".join(f" \\\n    X({', '.join(row)})" for row in rows)
+
+
 class Layout:
     """defines: (name, value), in the order of the file; of_c, of_verilog: those of one language."""
 
@@ -120,6 +125,17 @@ class Layout:
             entries(self.machine, [e for e in whole if e.is_part]))
         yield "EACH_REG(X)", each("reg")
         yield "EACH_KIND(X)", each("kind")
+        yield "EACH_COUNTER(X)", of_x((name.upper(), name.lower())
+                                      for _, name, *_ in rows["counter"])
+        yield "EACH_SIZE(X)", of_x((size.name, size.standard)
+                                   for size in self.machine.sizes.values())
+        yield "EACH_PACE(X)", of_x((profile.upper(), *word.split("="))
+                                   for profile, words in self.machine.paces.items()
+                                   for word in words)
+        for kind, rules in (("UNIT_COUNT", self.machine.units), ("RATE", self.machine.rates)):
+            yield f"EACH_{kind}(X)", of_x((name, f"({rule})") for name, rule in rules.items())
+        yield "EACH_LOAD(X)", of_x((name.replace(" ", "_"), f'"{name}"', *of)
+                                   for name, of in self.machine.loads.items())
 
     def c(self):
         shared = [row for row in self.defines if row[0] not in self.of_verilog]
@@ -146,6 +162,11 @@ def parameters_of(effects):
             for e in effects]
 
 
+def size_parameter(size, end=","):
+    return parameter(size.name, size.standard,
+                     f"{size.least}..{size.most}{', power of two' * size.power}: {size.about}", end)
+
+
 def effects_of(machine, parts):
     return [e for e in machine.effects.values() if e.is_part == parts]
 
@@ -153,6 +174,27 @@ def effects_of(machine, parts):
 def widths(machine):
     """(NAME, words of its line)"""
     return [(words[0].upper(), words) for kind, words in machine.rows if kind == "width"]
+
+
+def declarations(machine):
+    """{NAME: line} of parameters of rt_core that are no widths."""
+    declared = dict(zip((e.core for e in machine.effects.values()),
+                        parameters_of(machine.effects.values())))
+    declared |= {s.name: size_parameter(s) for s in machine.sizes.values()}
+    return declared
+
+
+def shade_names(machine):
+    return [word for kind, words in machine.rows if kind == "shade" for word in words]
+
+
+def shade_parameters(machine):
+    declared = declarations(machine)
+    return [declared[name] for name in shade_names(machine)]
+
+
+def shade_pass(machine):
+    return connected(shade_names(machine))
 
 
 def effect_parameters(machine):
@@ -166,8 +208,7 @@ def core_parameters(machine):
     sizes = list(machine.sizes.values())
     return ['    `include "rt_effects.vh"', *parameters_of(effects_of(machine, True)),
             "    // sizes, on which only cells and cycles depend"] + [
-        parameter(s.name, s.standard, f"{s.least}..{s.most}{', power of two' * s.power}: {s.about}",
-                  "," * (s is not sizes[-1])) for s in sizes]
+        size_parameter(s, "," * (s is not sizes[-1])) for s in sizes]
 
 
 # ---- what is given to parameters of the same name ----
@@ -237,6 +278,9 @@ FILES = (
      core_parameters),
     ("core_pass", "rt_core_parameters.vh to an instance, by name: all that it is given.",
      core_pass),
+    ("shade_parameters", "Parameters of rt_shade and of what hands them on, besides effects.",
+     shade_parameters),
+    ("shade_pass", "rt_shade_parameters.vh to an instance, by name.", shade_pass),
     ("core_rules", "Units of an engine, legal values of parameters, alone and together.",
      core_rules))
 

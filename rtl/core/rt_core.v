@@ -213,17 +213,14 @@ module rt_core #(
             wire [`RT_PIXEL_BITS-1:0] pix;
             rt_engine #(
                 `include "rt_effects_pass.vh"
-                .ACCEL(BOXES != 0 ? 2 : ACCEL), .COARSE(COARSE), .PIPES(PIPES),
+                `include "rt_shade_pass.vh"
+                .ACCEL(BOXES != 0 ? 2 : ACCEL), .PIPES(PIPES),
                 .LEAF_UNITS(LEAF_COUNT), .SHADES(SHADE_UNITS), .SETUPS(SETUP_UNITS),
                 .SLOTS(ALL_SLOTS), .SQUARES(LUT_SQUARES), .LUTS(SPARE_LUTS),
                 .STACK(`RT_STACK_DEPTH), .NODE_LINES(NODE_UNIT), .LEAF_LINES(LEAF_UNIT),
-                .TEXTURE_LINES(TEXTURE_LINES), .TEXTURE_WAYS(TEXTURE_WAYS),
-                .TEXTURE_GROUP(TEXTURE_GROUP), .TEXTURE_COORDS(TEXTURE_COORDS),
-                .ROOTS(ROOT_UNITS), .QUOTIENTS(QUOTIENTS), .DIVISIONS(KEY_UNITS),
-                .ROOT_STEP(ROOT_STEP), .QUOTIENT_STEP(QUOTIENT_STEP),
-                .DIVISION_STEP(DIVISION_STEP), .LEAF_INTERVAL(LEAF_INTERVAL),
-                .FACET_INTERVAL(FACET_CLOCKS), .UNITS(UNITS), .UNIT_INTERVAL(UNIT_INTERVAL),
-                .HIT_INTERVAL(HIT_INTERVAL), .BOUNCE_INTERVAL(BOUNCE_INTERVAL)
+                .ROOTS(ROOT_UNITS), .DIVISIONS(KEY_UNITS),
+                .ROOT_STEP(ROOT_STEP), .DIVISION_STEP(DIVISION_STEP), .LEAF_INTERVAL(LEAF_INTERVAL),
+                .FACET_INTERVAL(FACET_CLOCKS), .UNITS(UNITS), .UNIT_INTERVAL(UNIT_INTERVAL)
             ) u_engine (
                 .clk(clk), .rst(rst), .flush_i(go && !keep_two_q), .busy_o(e_busy[e]),
                 .regs_i(regs), .light_i(light),

@@ -11,17 +11,9 @@
 `include "rt_bundles.vh"
 module rt_shade #(
     `include "rt_effects.vh"
+    `include "rt_shade_parameters.vh"
     parameter SLOTS      = 64,   // rays in flight, power of two
-    parameter LUTS       = 0,    // LUT cells that a block RAM is worth, rt_slot_ram
-    parameter TEXTURE_LINES = 128, // texture cache
-    parameter TEXTURE_WAYS = 4,  // its groups of a set
-    parameter TEXTURE_GROUP = 1, // lines of a group
-    parameter TEXTURE_COORDS = 2, // units for texture coordinates
-    parameter COARSE     = 0,    // bits of a level's fraction that are rounded away
-    parameter QUOTIENTS  = 2,    // dividers
-    parameter QUOTIENT_STEP = 2, // quotient bits a clock
-    parameter HIT_INTERVAL = 8,  // clocks a hit point and its normal, 8 or 12
-    parameter BOUNCE_INTERVAL = 10 // clocks a mirrored direction, 10 or 12
+    parameter LUTS       = 0     // LUT cells that a block RAM is worth, rt_slot_ram
 ) (
     input  wire                       clk,
     input  wire                       rst,
