@@ -7,7 +7,6 @@
 #include "builder/grid/bound.h"
 #include "check.h"
 #include "exact.h"
-#include "floats.h"
 #include "naive/naive.h"
 #include "naive/hit.h"
 #include "naive/optics.h"
@@ -21,7 +20,7 @@ struct answer {
     struct exact exact;
     uint64_t key;
     int hit;
-    struct floats floats[HARD_COLUMNS];
+    struct sph_floats floats[HARD_COLUMNS];
 };
 
 void job_wrong(struct job *j, int check, const char *what) {
@@ -125,7 +124,7 @@ static void check_floats(struct job *j, const struct sph_leaf *s, struct answer 
     long double length = sqrtl((long double)e->a), t = e->root ? exact_t(e) : 0;
     for (int i = HARD_OURS + 1; i < HARD_COLUMNS; i++) {
         struct hard_column *column = &j->t->column[i];
-        struct floats f = a->floats[i] = floats_leaf(i, &j->ray, s);
+        struct sph_floats f = a->floats[i] = sph_float_sphere(i, &j->ray, s);
         column->hit += f.hit != e->hit;
         if (!f.hit || !e->hit) continue;
         column->root += f.far != e->far;
@@ -175,8 +174,8 @@ static void check_sphere(struct job *j, const struct sph_leaf *s, struct answer 
     if (j->ray.skip.id != s->id && j->ray.inside) check_floats(j, s, a);
 }
 
-void job_order(struct job *j, int order, const uint64_t key[2], const struct floats *f,
-               const struct floats *g) {
+void job_order(struct job *j, int order, const uint64_t key[2], const struct sph_floats *f,
+               const struct sph_floats *g) {
     struct hard_column *column = j->t->column;
     int said = key[0] < key[1] ? -1 : key[0] > key[1];
     j->t->pairs++;

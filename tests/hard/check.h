@@ -4,7 +4,6 @@
 #ifndef HARD_CHECK_H
 #define HARD_CHECK_H
 
-#include "floats.h"
 #include "hard.h"
 
 struct job {
@@ -20,8 +19,8 @@ struct job {
 void job_wrong(struct job *j, int check, const char *what);
 
 /* Of two hits: the sign of t1 - t2, the keys, what floats say of each (f NULL: nothing). */
-void job_order(struct job *j, int order, const uint64_t key[2], const struct floats *f,
-               const struct floats *g);
+void job_order(struct job *j, int order, const uint64_t key[2], const struct sph_floats *f,
+               const struct sph_floats *g);
 
 /* One for each kind of case but spheres: the model against its oracle and the naive model; floats.
  */

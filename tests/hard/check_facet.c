@@ -11,7 +11,7 @@ struct answer {
     struct facet_exact exact;
     uint64_t key;
     int hit;
-    struct floats floats[HARD_COLUMNS];
+    struct sph_floats floats[HARD_COLUMNS];
 };
 
 static void check_floats(struct job *j, const struct sph_facet_leaf *f, struct answer *a) {
@@ -20,7 +20,7 @@ static void check_floats(struct job *j, const struct sph_facet_leaf *f, struct a
     for (int i = HARD_OURS + 1; i < HARD_COLUMNS; i++) {
         if (!hard_column_is_of(i, HARD_FACETS)) continue;
         struct hard_column *column = &j->t->column[i];
-        struct floats r = a->floats[i] = floats_facet(i, &j->ray, f);
+        struct sph_floats r = a->floats[i] = sph_float_facet(i, &j->ray, f);
         column->hit += r.hit != e->hit;
         if (!r.hit || !e->hit) continue;
         column->root += r.far != e->far;

@@ -15,6 +15,7 @@
 #include "scene/rng.h"
 #include "prim/facet.h"
 #include "prim/sphere.h"
+#include "reference/floats.h"
 #include "core/ray.h"
 
 enum { HARD_ID = 7, HARD_OTHER = 9 }; /* ids of the first and the second sphere */
@@ -74,15 +75,8 @@ extern const struct hard_family hard_families[HARD_FAMILIES];
  * off. */
 void hard_make(uint64_t seed, int family, int profile, uint64_t number, struct hard_case *c);
 
-/* Formulas that are judged by the oracle on the same inputs. */
-enum {
-    HARD_OURS,
-    HARD_F32_TEXTBOOK,
-    HARD_F32_PAPER,
-    HARD_F32_GEMS,
-    HARD_F64_TEXTBOOK,
-    HARD_COLUMNS
-};
+/* The model, and the formulas of floats.h, which are judged by the oracle on the same inputs. */
+enum { HARD_OURS, HARD_COLUMNS = SPH_FORMULAS };
 extern const char *const hard_columns[HARD_COLUMNS];
 
 struct hard_column {

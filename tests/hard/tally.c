@@ -17,8 +17,8 @@ const char *const hard_kinds[HARD_KINDS] = {"spheres", "facets", "refraction", "
 
 int hard_column_is_of(int column, int of) {
     if (of == HARD_WALKS) return column == HARD_OURS;
-    if (column == HARD_F32_GEMS) return of == HARD_SPHERES;
-    return column != HARD_F32_PAPER || of <= HARD_REFRACTION;
+    if (column == SPH_F32_GEMS) return of == HARD_SPHERES;
+    return column != SPH_F32_PAPER || of <= HARD_REFRACTION;
 }
 
 void hard_tally_add(struct hard_tally *sum, const struct hard_tally *t) {
