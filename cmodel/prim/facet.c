@@ -16,6 +16,11 @@ static sph_i128 dot(const int64_t a[3], const int64_t b[3]) {
     return (sph_i128)a[0] * b[0] + (sph_i128)a[1] * b[1] + (sph_i128)a[2] * b[2];
 }
 
+int sph_facet_own(const struct sph_ray *ray, const struct sph_facet_leaf *f) {
+    uint32_t skip = ray->skip.id;
+    return skip + f->before >= f->id && skip <= f->id + f->after;
+}
+
 /* Whether the point that the ray's origin was rounded from lies before the plane with the cube of
  * one guard bit around it: s N.(v0 2^NG - point) > |N_x| + |N_y| + |N_z|, s the sign of N.dir.
  * num: s N.(v0 - org). */

@@ -53,10 +53,7 @@ struct sph_facet_result {
 }; /* of a plane beyond the grid: |dir_k|, the room along k, its rank (docs/design/facet.md) */
 
 /* Whether the ray starts on a facet of this one's group. */
-static inline int sph_facet_own(const struct sph_ray *ray, const struct sph_facet_leaf *f) {
-    uint32_t skip = ray->skip.id;
-    return skip + f->before >= f->id && skip <= f->id + f->after;
-}
+int sph_facet_own(const struct sph_ray *ray, const struct sph_facet_leaf *facet);
 
 /* Valid for every operand in range; dir = 0, a ray in the plane and an origin on it miss. A facet
  * of the group that the ray starts on misses; to a light also one that does not lie ahead of the
