@@ -4,7 +4,8 @@
 #ifndef HARD_CHECK_H
 #define HARD_CHECK_H
 
-#include "hard.h"
+#include "exact.h"
+#include "facet_exact.h"
 
 struct job {
     const struct sph_profile *p;
@@ -14,6 +15,24 @@ struct job {
     struct hard_tally *t;
     FILE *out;
 };
+
+/* What is said of one sphere, of one facet. */
+struct sphere_answer {
+    struct exact exact;
+    uint64_t key; /* of the model, 0: none */
+    int hit;
+    struct sph_floats floats[HARD_COLUMNS];
+};
+struct facet_answer {
+    struct facet_exact exact;
+    uint64_t key;
+    int hit;
+    struct sph_floats floats[HARD_COLUMNS];
+};
+
+/* The model of one of them against oracle and naive model, floats beside it. */
+void check_sphere(struct job *j, const struct sph_leaf *s, struct sphere_answer *a);
+void check_facet(struct job *j, const struct sph_facet_leaf *f, struct facet_answer *a);
 
 /* Counts a mistake of ours, and says so. */
 void job_wrong(struct job *j, int check, const char *what);
@@ -26,6 +45,6 @@ void job_order(struct job *j, int order, const uint64_t key[2], const struct sph
  */
 typedef void job_check(struct job *j);
 job_check check_facets, check_refraction, check_around, check_texels, check_levels, check_clips,
-    check_walks, check_units;
+    check_walks, check_units, check_ties;
 
 #endif

@@ -31,6 +31,7 @@ enum {
     HARD_CLIPS,      /* ray, clip: a plane of a BIH */
     HARD_WALKS,      /* ray, sphere[2]: through a BIH and through one leaf */
     HARD_UNITS,      /* v: s(WD) */
+    HARD_TIES,       /* ray, sphere[0], facet[0] */
     HARD_KINDS
 };
 extern const char *const hard_kinds[HARD_KINDS];
@@ -68,7 +69,7 @@ struct hard_family {
     void (*make)(struct sph_rng *rng, const struct sph_profile *p, struct hard_case *c);
     int of;
 };
-enum { HARD_SPHERE_FAMILIES = 21 /* the first ones */, HARD_FAMILIES = 35 };
+enum { HARD_FAMILIES = 41 };
 extern const struct hard_family hard_families[HARD_FAMILIES];
 
 /* Case `number` of a family; the same for the same arguments. One in eight has the effect INSIDE
