@@ -6,7 +6,7 @@
 
 void named_coplane(struct named *n) {
     int64_t k = n->half / 4;
-    for (int64_t m = 1; m <= n->most / 4; m = 5 * m + 1)
+    for (int64_t m = 1; m <= n->most / 4; m = 200 * m + 1)
         for (int64_t slope = 0; slope < 3; slope++) {          /* x + slope y = k */
             const int64_t at[3][2] = {{1, 1}, {0, 2}, {0, 0}}; /* the middle, an edge, a corner */
             for (int i = 0; i < 3; i++) {
@@ -51,7 +51,7 @@ void named_pixel(struct named *n) {
 
 void named_ridge(struct named *n) {
     int64_t k = n->half / 4;
-    for (int64_t m = 1; m <= n->most / 4; m = 7 * m + 2)
+    for (int64_t m = 1; m <= n->most / 4; m = 300 * m + 2)
         for (int64_t high = -3; high <= 3; high++) { /* a valley, flat, a ridge along z */
             struct hard_facet c =
                 triangle(V3(-k, 0, 1), V3(m, 0, 0), V3(0, 0, -4), V3(0, 0, 4), V3(high, 5, 0));
@@ -84,7 +84,7 @@ static void tie(struct named *n, const struct hard_facet *c, const struct sph_le
 void named_meet(struct named *n) {
     int64_t k = n->half / 16;
     const struct sph_leaf s = {{3 * k, 4 * k, 0}, 5 * k, 0};
-    for (int64_t m = 1; m < n->most / 8; m *= 5) { /* to the origin, where all three are */
+    for (int64_t m = 1; m < n->most / 8; m *= 125) { /* to the origin, where all three are */
         const int64_t org[3] = {-4 * k, -k, 0}, dir[3] = {4 * m, m, 0};
         struct hard_facet t[] = {
             triangle(org, dir, V3(-k, -k, 0), V3(k, k, 0), V3(0, -2, k)), /* on an edge */
