@@ -10,9 +10,9 @@ struct sph_facet_leaf sph_plane_read(const struct sph_profile *p, const uint32_t
     return f;
 }
 
-static int test(const struct sph_probe *probe, const uint32_t *record, struct sph_hit *hit) {
-    struct sph_facet_leaf f = sph_plane_read(probe->p, record);
-    return sph_facet_visit(probe, &f, hit);
+static int test(const struct sph_ray_query *query, const uint32_t *record, struct sph_hit *hit) {
+    struct sph_facet_leaf f = sph_plane_read(query->p, record);
+    return sph_facet_visit(query, &f, hit);
 }
 
 static int validate(const struct sph_machine *m, uint32_t line, const uint32_t *record, uint32_t id,

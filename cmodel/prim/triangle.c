@@ -15,9 +15,9 @@ struct sph_facet_leaf sph_triangle_read(const struct sph_profile *p, const uint3
     return f;
 }
 
-static int test(const struct sph_probe *probe, const uint32_t *record, struct sph_hit *hit) {
-    struct sph_facet_leaf f = sph_triangle_read(probe->p, record);
-    return sph_facet_visit(probe, &f, hit);
+static int test(const struct sph_ray_query *query, const uint32_t *record, struct sph_hit *hit) {
+    struct sph_facet_leaf f = sph_triangle_read(query->p, record);
+    return sph_facet_visit(query, &f, hit);
 }
 
 /* v / 2^shift to nearest, halves away from zero, and to 0 only if it is 0: the signs of a normal
