@@ -1,8 +1,8 @@
 # price.py - the table and the picture of make price
 # SPDX-License-Identifier: Apache-2.0
-"""FOLDER has price.json of `sphaera price`; cores that have no cells there are synthesised (a
-minute each, kept in BUILD/synth), with RTL=1 every row is simulated. Writes price.json anew,
-price.svg and price.html, and prints the table. What is not measured stays -."""
+"""FOLDER has price.json of `sphaera price`; cores that have no cells there are synthesised (kept in
+BUILD/synth), with RTL=1 every row is simulated. Writes price.json anew, price.svg and price.html,
+and prints the table. What is not measured stays -."""
 import json
 import os
 import subprocess

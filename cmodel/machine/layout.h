@@ -1,4 +1,4 @@
-/* layout.h - generated from machine.def by gen_layout.awk; do not edit
+/* layout.h - generated from machine.def by make layout; do not edit
  * SPDX-License-Identifier: Apache-2.0
  */
 #ifndef SPH_LAYOUT_H
@@ -108,6 +108,8 @@
 #define SPH_PRIM_KA_BITS 9
 #define SPH_PRIM_KD_LSB 180
 #define SPH_PRIM_KD_BITS 9
+#define SPH_PRIM_LEFT_OUT_LSB 189
+#define SPH_PRIM_LEFT_OUT_BITS 1
 #define SPH_PRIM_KS_LSB 218
 #define SPH_PRIM_KS_BITS 8
 #define SPH_PRIM_POWER_LSB 226
@@ -350,11 +352,12 @@
 #define SPH_REG_DOWN_Y 116
 #define SPH_REG_DOWN_Z 117
 #define SPH_REG_LEAST_WEIGHT 118
+#define SPH_REG_ONE_CAMERA 119
 #define SPH_LEAST_WEIGHT_MAX 256
 #define SPH_LIGHT_STRIDE 8
 #define SPH_LIGHT_SHIFT_LSB 16
 #define SPH_LIGHT_SHIFT_BITS 5
-#define SPH_N_REGS 119
+#define SPH_N_REGS 120
 #define SPH_COUNT_RAYS_PRIMARY 0
 #define SPH_COUNT_RAYS_SHADOW 1
 #define SPH_COUNT_RAYS_REFLECTED 2
@@ -383,6 +386,7 @@
 #define SPH_ERROR_BUS_ERROR 3
 #define SPH_ERROR_MISSING_EFFECT 4
 #define SPH_ERROR_WRONG_PROFILE 5
+#define SPH_ERROR_LEFT_OUT 6
 #define SPH_EFFECT_SHADOW 0
 #define SPH_EFFECT_REFLECT 1
 #define SPH_EFFECT_INSIDE 2
@@ -402,11 +406,11 @@
 #define SPH_KINDS_UNBOUNDED 4
 #define SPH_COUNTERS 22
 #define SPH_COUNTERS_BOTH 3605503
-#define SPH_ERRORS 6
+#define SPH_ERRORS 7
 #define SPH_PROFILE_TABLE {"draft", 12, 13, 13, 2, 12, 0}, {"standard", 16, 17, 17, 2, 14, 0}, {"fine", 20, 22, 24, 2, 14, 0}, {"reference", 24, 25, 28, 2, 14, 0}
 #define SPH_WIDTH_TABLE {"w", offsetof(struct sph_profile, w), 0, 5, 8, 24, "a leaf record has 24 bits"}, {"wd", offsetof(struct sph_profile, wd), 5, 5, 9, 31, "a register has 32 bits"}, {"pq", offsetof(struct sph_profile, pq), 10, 6, 4, 32, "a quotient is one word of the model"}, {"ng", offsetof(struct sph_profile, ng), 16, 3, 0, 4, "the bounds of build are 64-bit numbers"}, {"fw", offsetof(struct sph_profile, fw), 19, 4, 6, 14, "a node record has 14 bits"}, {"pr", offsetof(struct sph_profile, pr), 23, 6, 0, 51, "the longest root has 52 bits"}
 #define SPH_COUNTER_NAMES "rays_primary", "rays_shadow", "rays_reflected", "node_visits", "child_tests", "leaf_tests", "roots", "quotients", "background", "saturations", "cycles", "issue_wait", "node_misses", "leaf_misses", "rays_waiting", "pop_bubbles", "facet_tests", "divisions", "texels", "texel_misses", "rays_refracted", "powers"
-#define SPH_ERROR_NAMES "bad_node", "stack_overflow", "visit_limit", "bus_error", "missing_effect", "wrong_profile"
+#define SPH_ERROR_NAMES "bad_node", "stack_overflow", "visit_limit", "bus_error", "missing_effect", "wrong_profile", "left_out"
 #define SPH_EFFECT_MASK 16383
 #define SPH_EACH_EFFECT(X)  \
     X(SHADOW, shadow, "SHADOW", 0, 1, 1, SPH_OPTION_WHEN, 0, 0, -1, 0, 0, -1, "rays towards the lights") \
@@ -492,7 +496,8 @@
     X(DOWN_X) \
     X(DOWN_Y) \
     X(DOWN_Z) \
-    X(LEAST_WEIGHT)
+    X(LEAST_WEIGHT) \
+    X(ONE_CAMERA)
 #define SPH_EACH_KIND(X)  \
     X(sphere) \
     X(triangle) \

@@ -44,7 +44,7 @@ struct sph_reference_pixel {
     uint32_t faced;              /* bit l: light l shines on the side of it that is seen */
     uint32_t shadow;             /* bit l: light l does, but is blocked */
     int beyond;                  /* SPH_BEYOND_*: a plane is seen far beyond the world */
-    int doubt;                   /* SPH_DOUBT_*: what doubles cannot tell */
+    int doubt;                   /* doubles cannot tell what is seen, also by later rays */
     double distance;             /* from the eye to it, scene units; INFINITY: background */
     int textured;                /* a surface with an image is seen, also in mirrors */
     double lod[SPH_LODS];        /* of the first one, each way */
@@ -54,10 +54,6 @@ struct sph_reference_pixel {
 
 /* By the eye (its bit), by a ray that leaves a surface. */
 enum { SPH_BEYOND_EYE = 1, SPH_BEYOND_LATER = 2 };
-
-/* What is seen: id; colours and what is seen later: a shadow, what is in a mirror or behind glass.
- */
-enum { SPH_DOUBT_SEEN = 1, SPH_DOUBT_LATER = 2 };
 
 /* How a textured surface is seen: directly, in flat mirrors, in at least one curved one. */
 enum { SPH_VIA_NOTHING, SPH_VIA_FLAT, SPH_VIA_CURVED, SPH_VIAS };

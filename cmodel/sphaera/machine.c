@@ -80,13 +80,13 @@ int sph_api_options(const sphaera_build_options *from, struct sph_build_options 
 static int build(const struct sph_scene *scene, struct sph_build_options *o,
                  struct sph_build_report *report, struct sphaera_machine *to,
                  struct sph_error *err) {
-    const struct sph_keep keep = {SPH_KEEP_PIXELS, SPH_KEEP_PSNR};
+    const struct sph_error_bound bound = {SPH_ERROR_BOUND_PIXELS, SPH_ERROR_BOUND_PSNR};
     struct sph_profile_choice choice;
     struct sph_mip *mips = NULL;
     if (o->texture != SPH_OFF && sph_mips_load(scene, &mips, err)) return -1;
     o->mips = mips;
     int rc = o->widths ? sph_build(scene, o, &to->machine, report, err)
-                       : sph_build_auto(scene, o, &keep, &choice, &to->machine, report, err);
+                       : sph_build_auto(scene, o, &bound, &choice, &to->machine, report, err);
     sph_mips_free(mips, scene->n_textures);
     _Static_assert(sizeof to->warning == sizeof report->warning, "the whole text");
     if (!rc) memcpy(to->warning, report->warning, sizeof to->warning);

@@ -36,9 +36,9 @@ int sphaera_price_measure(const sphaera_scene *scene, const sphaera_build_option
         return sph_api_failed(&err, error);
     }
     int asked = keep_pixels > 0 || keep_psnr > 0;
-    struct sph_price_options how = {
-        .keep = {asked ? keep_pixels : SPH_KEEP_PIXELS, asked ? keep_psnr : SPH_KEEP_PSNR},
-        .most = most};
+    struct sph_price_options how = {.bound = {asked ? keep_pixels : SPH_ERROR_BOUND_PIXELS,
+                                              asked ? keep_psnr : SPH_ERROR_BOUND_PSNR},
+                                    .most = most};
     sphaera_price *made = calloc(1, sizeof *made);
     int rc = made ? sph_api_options(options, &o, &widths, &err)
                   : sph_fail(&err, "no memory for a table");

@@ -114,7 +114,7 @@ static void print_notes(FILE *to, const struct sph_price *p) {
 }
 
 static void print(FILE *to, const char *input, const struct sph_price *p,
-                  const struct sph_keep *keep) {
+                  const struct sph_error_bound *bound) {
     char says[1024];
     if (!to) return;
     fprintf(to, "%s, %dx%d\n", input, p->width, p->height);
@@ -123,7 +123,7 @@ static void print(FILE *to, const char *input, const struct sph_price *p,
     for (int i = 0; i < p->n; i++)
         print_row(to, p, i);
     print_notes(to, p);
-    sph_price_says(p, keep, says, sizeof says);
+    sph_price_says(p, bound, says, sizeof says);
     fprintf(to, "%s\n", says);
 }
 
@@ -182,7 +182,7 @@ static json_t *row_json(const struct sph_price_row *r) {
 }
 
 static json_t *price_json(const char *input, const struct sph_price *p,
-                          const struct sph_keep *keep) {
+                          const struct sph_error_bound *bound) {
     char says[1024];
     json_t *report = report_new("price"), *price = json_object(), *rows = json_array();
     report_text(report, "input", input);
@@ -190,12 +190,13 @@ static json_t *price_json(const char *input, const struct sph_price *p,
     report_count(price, "width", (uint64_t)p->width);
     report_count(price, "height", (uint64_t)p->height);
     report_add(price, "sampled", json_boolean(p->sampled));
-    report_add(price, "keep", json_pack("{s:f, s:f}", "pixels", keep->pixels, "psnr", keep->psnr));
+    report_add(price, "keep",
+               json_pack("{s:f, s:f}", "pixels", bound->pixels, "psnr", bound->psnr));
     for (int i = 0; i < p->n; i++)
         json_array_append_new(rows, row_json(&p->row[i]));
     report_add(price, "rows", rows);
     report_add(price, "best", p->best < 0 ? json_null() : json_integer(p->best));
-    sph_price_says(p, keep, says, sizeof says);
+    sph_price_says(p, bound, says, sizeof says);
     report_text(price, "says", says);
     report_text(price, "tried", p->tried);
     return report;
@@ -206,7 +207,7 @@ static int price(const struct arguments *a, const struct sph_scene *scene,
     const struct tool_source *s = &a->report.source;
     struct sph_build_options build = s->build;
     struct sph_price p;
-    struct sph_price_options o = {.keep = s->keep,
+    struct sph_price_options o = {.bound = s->bound,
                                   .only = s->build.widths,
                                   .most = a->most,
                                   .more = a->more,
@@ -214,8 +215,8 @@ static int price(const struct arguments *a, const struct sph_scene *scene,
     build.mips = mips;
     if (tool_frame_size(s, scene, &build, err) || sph_price_make(scene, &build, &o, &p, err))
         return -1;
-    print(print_stream(a->report.json), a->report.input, &p, &o.keep);
-    return report_write(price_json(a->report.input, &p, &o.keep), a->report.json, err);
+    print(print_stream(a->report.json), a->report.input, &p, &o.bound);
+    return report_write(price_json(a->report.input, &p, &o.bound), a->report.json, err);
 }
 
 int tool_price(int argc, char **argv) {

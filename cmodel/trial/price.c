@@ -19,8 +19,8 @@ struct job {
 
 /* ---- a row ---- */
 
-static int keeps(const struct sph_price_row *r, const struct sph_keep *keep) {
-    return r->psnr_least >= keep->psnr && r->expected.fits && r->expected.pixels <= keep->pixels;
+static int keeps(const struct sph_price_row *r, const struct sph_error_bound *bound) {
+    return r->psnr_least >= bound->psnr && r->expected.fits && r->expected.pixels <= bound->pixels;
 }
 
 /* The core that build tools make by themselves, but for its pipes. */
@@ -57,7 +57,7 @@ static int measure(const struct job *j, const struct sph_profile *profile, int t
     r->wrong_most = t.wrong_most;
     r->psnr_least = t.psnr_least;
     of_core(r, &t.machine, pipes, j);
-    r->keeps = keeps(r, &j->o->keep);
+    r->keeps = keeps(r, &j->o->bound);
     sph_trial_free(&t);
     return 0;
 }
@@ -189,7 +189,7 @@ static void worst_kind(const struct sph_accuracy *a, char *text, size_t size) {
                  kinds[most].help);
 }
 
-void sph_price_says(const struct sph_price *price, const struct sph_keep *keep, char *text,
+void sph_price_says(const struct sph_price *price, const struct sph_error_bound *bound, char *text,
                     size_t size) {
     const struct sph_price_row *best = NULL;
     text[0] = 0;
@@ -198,7 +198,7 @@ void sph_price_says(const struct sph_price *price, const struct sph_keep *keep, 
         sph_note(text, size,
                  "* %s is the cheapest that keeps %g pixels and %g dB: %.2g pixels expected, %s"
                  "%.2f dB measured",
-                 best->name, keep->pixels, keep->psnr, best->expected.pixels,
+                 best->name, bound->pixels, bound->psnr, best->expected.pixels,
                  price->sampled ? "at least " : "", best->psnr_least);
         return;
     }
@@ -212,7 +212,7 @@ void sph_price_says(const struct sph_price *price, const struct sph_keep *keep, 
     sph_note(text, size,
              "none keeps %g pixels and %g dB; %s comes nearest, with %.2g pixels and "
              "%.2f dB: --error %.2g,%.0f would do",
-             keep->pixels, keep->psnr, best->name, best->expected.pixels, best->psnr_least,
+             bound->pixels, bound->psnr, best->name, best->expected.pixels, best->psnr_least,
              best->expected.pixels * 1.05, floor(fmin(best->psnr_least, 99)));
     worst_kind(&best->accuracy, text, size);
 }

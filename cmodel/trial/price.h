@@ -15,7 +15,7 @@
 enum { SPH_PRICE_ROWS = 16 };
 
 struct sph_price_options {
-    struct sph_keep keep;
+    struct sph_error_bound bound;
     const struct sph_profile *only; /* NULL: a row for each profile; else one of these widths */
     uint32_t most;                  /* pixels of a sample: sph_yardstick_make() */
     int more;                       /* 1: rows of single knobs too */
@@ -48,8 +48,8 @@ struct sph_price {
 
 /* Builds, draws and measures every row for the size, depth, tree and effects of the options. A
  * profile that cannot hold the scene is a row that says why. The cheapest row is that of the first
- * profile that keeps what is asked for: psnr_least is at least keep.psnr, and no point is expected
- * to be moved by more than keep.pixels. Single knobs are those of that row, or of the finest that
+ * profile that keeps what is asked for: psnr_least is at least bound.psnr, and no point is expected
+ * to be moved by more than bound.pixels. Single knobs are those of that row, or of the finest that
  * was built; they pay if the picture stays as good with fewer bits, or its clocks are fewer. 0, or
  * -1 with a message: no memory, or a size that is none. */
 int sph_price_make(const struct sph_scene *scene, const struct sph_build_options *build,
@@ -57,7 +57,7 @@ int sph_price_make(const struct sph_scene *scene, const struct sph_build_options
                    struct sph_error *err);
 
 /* What to say under the rows: which one is cheapest, or what comes nearest and what it lacks. */
-void sph_price_says(const struct sph_price *price, const struct sph_keep *keep, char *text,
+void sph_price_says(const struct sph_price *price, const struct sph_error_bound *bound, char *text,
                     size_t size);
 
 #endif
