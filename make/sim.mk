@@ -28,7 +28,7 @@ repeated = make sim $(call values,$(filter-out V CSV,$(CHECK)))
 render: $(TOOL) ## SCENE through the golden model: picture, counters
 	$(Q)$(call run,render,$(MACHINE_KEY))
 
-price: $(TOOL) $(if $(filter 1,$(RTL)),$B/sim/pictures) ## what accuracy of SCENE costs; MORE=1
+price: $(TOOL) ## what accuracy costs SCENE in time: table, picture; MORE=1, RTL=1
 	$(Q)$(call values,B MORE RTL LATENCY SEED DEPTH ACCEL SCENE SIZE ERROR) $(call run,price,\
 	    $(MACHINE_KEY) MORE RTL LATENCY)
 
