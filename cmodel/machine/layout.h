@@ -8,6 +8,7 @@
 #define SPH_FILTER_FRACTION 1
 #define SPH_LINE_WORDS 8
 #define SPH_LINE_BITS 26
+#define SPH_TAG_BITS 5
 #define SPH_ID_BITS 24
 #define SPH_RGB_BITS 24
 #define SPH_VISITS_BITS 24
