@@ -14,7 +14,8 @@ def main(folder, machine, frame, data, *parameters):
     runner.build(sources=[*sources, Path("tb/top/cocotb_top.v")], hdl_toplevel="cocotb_top",
                  includes=sorted({path.parent for path in Path("rtl").rglob("*.vh")}),
                  build_args=["-g2005"], defines={"CORE_PARAMETERS": core},
-                 parameters={"DATA": data}, build_dir=folder, always=True)
+                 parameters={"DATA": min(int(data), 128), "MEM_DATA": data}, build_dir=folder,
+                 always=True)
     results = runner.test(test_module="lab.top.cocotb_top", hdl_toplevel="cocotb_top",
                           build_dir=folder, test_dir=folder, extra_env={
                               "MACHINE": str(Path(machine).resolve()),

@@ -12,7 +12,7 @@
 `include "rt_layout.vh"
 module rt_axi_read #(
     parameter DATA    = 64,  // bits of a beat: 64, 128, 256
-    parameter PENDING = 64   // lines that the core may wait for
+    parameter PENDING = 256  // lines that the core may wait for
 ) (
     input  wire            clk,
     input  wire            rst,

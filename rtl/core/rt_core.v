@@ -152,7 +152,7 @@ module rt_core #(
             wire unused = &{1'b0, m_req_valid, m_rsp_ready, m_req_line};
         end
     endgenerate
-    rt_mem_arbiter #(.CLIENTS(READERS), .PENDING(MEM_PENDING), .DATA(MEM_DATA)) u_arbiter (
+    rt_mem_arbiter #(.CLIENTS(READERS), .PENDING(LINES_COMING), .DATA(MEM_DATA)) u_arbiter (
         .clk(clk), .rst(rst),
         .req_valid_i(m_req_valid[READERS-1:0]), .req_ready_o(m_req_ready[READERS-1:0]),
         .req_line_i(m_req_line[LB*READERS-1:0]),

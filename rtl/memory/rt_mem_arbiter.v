@@ -129,10 +129,7 @@ module rt_mem_arbiter #(
             full_q            <= 1'b1;
             for (k = 0; k < CLIENTS; k = k + 1) owner_q[k] <= of == k[NB-1:0];
         end
-        if (rst) begin
-            full_q   <= 1'b0;
-            coming_q <= {(PB+1){1'b0}};
-        end
+        if (rst) begin coming_q <= {(PB+1){1'b0}}; full_q <= 1'b0; end
     end
     // for benches: {turned away, taken, clocks of work}
     wire [7:0] work_memory_port /* verilator public_flat_rd */ =

@@ -229,13 +229,14 @@ module rt_top #(
         .cfg_data_i(cfg_data), .start_i(core_start), .keep_cache_i(core_keep),
         .busy_o(core_busy), .mem_req_valid_o(req_valid), .mem_req_ready_i(req_ready),
         .mem_req_line_o(req_line), .mem_req_tag_o(req_tag), .mem_rsp_valid_i(rsp_valid),
-        .mem_rsp_ready_o(rsp_ready), .mem_rsp_tag_i(rsp_tag), .mem_rsp_data_i(rsp_data), .mem_rsp_error_i(rsp_error), .pix_valid_o(pix_valid),
-        .pix_ready_i(pix_ready), .pix_x_o(pix_x), .pix_y_o(pix_y), .pix_colour_o(pix_colour),
-        .pix_frame_o(pix_frame), .pix_id_o(pix_id), .pix_key_o(pix_key),
-        .pix_visits_o(pix_visits), .pix_texture_o(pix_texture),
+        .mem_rsp_ready_o(rsp_ready), .mem_rsp_tag_i(rsp_tag), .mem_rsp_data_i(rsp_data),
+        .mem_rsp_error_i(rsp_error), .pix_valid_o(pix_valid), .pix_ready_i(pix_ready),
+        .pix_x_o(pix_x), .pix_y_o(pix_y), .pix_colour_o(pix_colour), .pix_frame_o(pix_frame),
+        .pix_id_o(pix_id), .pix_key_o(pix_key), .pix_visits_o(pix_visits),
+        .pix_texture_o(pix_texture),
         .count_addr_i(count_addr), .count_data_o(count), .errors_o(core_errors)
     );
-    rt_axi_read #(.DATA(MEM_DATA), .PENDING(MEM_PENDING)) u_read (
+    rt_axi_read #(.DATA(MEM_DATA)) u_read (
         .clk(clk), .rst(rst), .begin_i(load),
         .base_i(settings[`RT_TOP_SET_SCENE_BASE]), .cut_i(core_rst),
         .forget_i(forget), .idle_o(read_idle), .stall_o(read_stall),

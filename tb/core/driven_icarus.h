@@ -66,9 +66,11 @@ inline DrivenIcarus::DrivenIcarus(const Options &o, const sph_machine &machine, 
     : PortHost(o, machine, run) {
     signal(SIGPIPE, SIG_IGN); /* a dead vvp is told by the line that is missing */
     char head[16] = "";
-    if (!start(o.engine.c_str()) || !std::fgets(head, sizeof head, from_))
+    unsigned width = 0;
+    if (!start(o.engine.c_str()) || !std::fgets(head, sizeof head, from_) ||
+        !Words(head).hex(width).good())
         fail(run, "no vvp of '%s'", o.engine.c_str());
-    memory().width(std::strtoul(head, nullptr, 10));
+    memory().width(width);
     pins.rst = true;
     for (int i = 0; i < RESET; i++)
         clock();

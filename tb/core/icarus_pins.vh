@@ -1,10 +1,10 @@
 // icarus_pins.vh - the core driven clock by clock, by text: a part of tb_core_icarus.v
 // SPDX-License-Identifier: Apache-2.0
 //
-// The first line of the output is MEM_DATA. +pins=FILE: each line of it has the inputs of a clock,
+// The output begins with MEM_DATA, hex. +pins=FILE: each line of it has the inputs of a clock,
 // `control cfg_addr cfg_data count_addr rsp_tag rsp_data`, all hex, control = {rst, start, keep,
 // cfg_valid, req_ready, rsp_valid, rsp_error, pix_ready}; after each the output has a line:
-// {req_valid, rsp_ready, pix_valid} in binary, the line asked for and its tag, the pixel, and behind
+// {req_valid, rsp_ready, pix_valid} in binary, the line asked for, its tag, the pixel, and behind
 // the edge busy, errors, counter. What goes with no valid is x. driven_icarus.h writes and reads.
     reg [31:0] p_data;
     reg [4:0] p_tag;
@@ -12,7 +12,7 @@
     reg [7:0] p_control;
     integer p_got;
     initial begin
-        #1 if (driven) $fwrite(out, "%0d\n", MEM_DATA);
+        #1 if (driven) $fwrite(out, "%h\n", MEM_DATA);
         $fflush(out);
         while (driven) begin
             p_got = $fscanf(pins, "%h %h %h %h %h %h", p_control, cfg_addr, p_data, count_addr,

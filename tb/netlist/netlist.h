@@ -59,7 +59,7 @@ class Netlist {
     Netlist(const std::string &file, std::string &error);
     size_t bits(const std::string &port) const;
     void set(const std::string &port, uint64_t value, size_t lsb = 0); /* up to 64 from lsb */
-    uint64_t get(const std::string &port, size_t lsb = 0) const; /* up to 64 bits from lsb */
+    uint64_t get(const std::string &port, size_t lsb = 0) const;       /* up to 64 bits from lsb */
     void settle();
     void edge();
     /* "LUT4 6349, ...", "none" */

@@ -1,4 +1,4 @@
-// cocotb_top.v - rt_top with what cocotbext-axi asks for besides: IDs, always 0
+// cocotb_top.v - rt_top with what cocotbext-axi asks for besides: IDs of the frame store, always 0
 // SPDX-License-Identifier: Apache-2.0
 // CORE_PARAMETERS, a macro that lab/top/cocotb_run.py gives, are the parameters of the core.
 `timescale 1ns / 1ps
@@ -8,7 +8,8 @@
 `define CORE_PARAMETERS .W(`RT_PROFILE_STANDARD_W)
 `endif
 module cocotb_top #(
-    parameter DATA = 64
+    parameter DATA = 64,
+    parameter MEM_DATA = 64
 ) (
     input  wire              clk,
     input  wire              rst,
@@ -30,17 +31,17 @@ module cocotb_top #(
     input  wire              s_axil_rready,
     output wire [31:0]       s_axil_rdata,
     output wire [1:0]        s_axil_rresp,
-    output wire [0:0]        m_scene_arid,
+    output wire [4:0]        m_scene_arid,
     output wire              m_scene_arvalid,
     input  wire              m_scene_arready,
     output wire [31:0]       m_scene_araddr,
     output wire [7:0]        m_scene_arlen,
     output wire [2:0]        m_scene_arsize,
     output wire [1:0]        m_scene_arburst,
-    input  wire [0:0]        m_scene_rid,
+    input  wire [4:0]        m_scene_rid,
     input  wire              m_scene_rvalid,
     output wire              m_scene_rready,
-    input  wire [DATA-1:0]   m_scene_rdata,
+    input  wire [MEM_DATA-1:0] m_scene_rdata,
     input  wire [1:0]        m_scene_rresp,
     input  wire              m_scene_rlast,
     output wire [0:0]        m_frame_awid,
@@ -60,10 +61,9 @@ module cocotb_top #(
     output wire              m_frame_bready,
     input  wire [1:0]        m_frame_bresp
 );
-    assign m_scene_arid = 1'b0;
     assign m_frame_awid = 1'b0;
-    wire unused = &{1'b0, m_scene_rid, m_frame_bid};
-    rt_top #(.DATA(DATA), `CORE_PARAMETERS) u_top (
+    wire unused = &{1'b0, m_frame_bid};
+    rt_top #(.DATA(DATA), .MEM_DATA(MEM_DATA), `CORE_PARAMETERS) u_top (
         .clk(clk), .rst(rst), .irq_o(irq),
         .s_axil_awvalid(s_axil_awvalid), .s_axil_awready(s_axil_awready),
         .s_axil_awaddr(s_axil_awaddr), .s_axil_wvalid(s_axil_wvalid),
@@ -73,11 +73,12 @@ module cocotb_top #(
         .s_axil_araddr(s_axil_araddr), .s_axil_rvalid(s_axil_rvalid),
         .s_axil_rready(s_axil_rready), .s_axil_rdata(s_axil_rdata), .s_axil_rresp(s_axil_rresp),
         .m_scene_arvalid(m_scene_arvalid), .m_scene_arready(m_scene_arready),
-        .m_scene_araddr(m_scene_araddr), .m_scene_arlen(m_scene_arlen),
-        .m_scene_arsize(m_scene_arsize), .m_scene_arburst(m_scene_arburst),
-        .m_scene_rvalid(m_scene_rvalid), .m_scene_rready(m_scene_rready),
-        .m_scene_rdata(m_scene_rdata), .m_scene_rresp(m_scene_rresp),
-        .m_scene_rlast(m_scene_rlast), .m_frame_awvalid(m_frame_awvalid),
+        .m_scene_arid(m_scene_arid), .m_scene_araddr(m_scene_araddr),
+        .m_scene_arlen(m_scene_arlen), .m_scene_arsize(m_scene_arsize),
+        .m_scene_arburst(m_scene_arburst), .m_scene_rvalid(m_scene_rvalid),
+        .m_scene_rready(m_scene_rready), .m_scene_rid(m_scene_rid), .m_scene_rdata(m_scene_rdata),
+        .m_scene_rresp(m_scene_rresp), .m_scene_rlast(m_scene_rlast),
+        .m_frame_awvalid(m_frame_awvalid),
         .m_frame_awready(m_frame_awready), .m_frame_awaddr(m_frame_awaddr),
         .m_frame_awlen(m_frame_awlen), .m_frame_awsize(m_frame_awsize),
         .m_frame_awburst(m_frame_awburst), .m_frame_wvalid(m_frame_wvalid),
