@@ -93,7 +93,8 @@ module f_axi_read #(
         assert (arlen == BEATS - 1);
         if (arvalid) assert (araddr[4:0] == 0 && {1'b0, araddr[11:0]} + 32 <= 4096);
         if (arvalid) assert (wait_q || take_q);                          // nothing else, nor twice
-        if (rsp_valid) assert (core_q != 0);                             // nothing that is not owed
+        if (rready) assert (bus_q != 0 || arvalid);                      // nothing unasked is taken
+        if (rsp_valid) assert (core_q != 0);                             // nor given to the core
         assert (idle == (bus_q == 0 && !arvalid));
         if (cut && rvalid) assert (rready);                              // never stuck
         if (!cut && rvalid && rsp_ready) assert (give);

@@ -25,7 +25,7 @@
     int        x, y, rendering, l1, l2, chosen;
     assign busy_o          = state_q != IDLE;
     assign mem_req_valid_o = state_q == READ && asked_q != 2 * lines_q &&
-                             BEATS * asked_q - beats_q < BEATS * MEM_PENDING;
+                             BEATS * asked_q - beats_q < BEATS * MEM_DATA;
     assign mem_req_tag_o   = `RT_TAG_BITS'(asked_q % TAGS);
     assign mem_req_line_o  = `RT_LINE_BITS'(asked_q < lines_q ? asked_q : asked_q - lines_q);
     assign mem_rsp_ready_o = state_q == READ && !wait_q[0];
