@@ -1,8 +1,8 @@
 // f_axi_read.v - proof of rt_axi_read: rules of AXI4, every beat once, nothing that is not owed
 // SPDX-License-Identifier: Apache-2.0
 // The bus gives beats of bursts that it took, of any ID, in any clock. The core waits for PENDING
-// lines at most. rt_run cuts the core off until the bus owes nothing, or forgets; resets may come at
-// any time.
+// lines at most. rt_run cuts the core off until the bus owes nothing, or forgets; resets may come
+// at any time.
 `timescale 1ns / 1ps
 `default_nettype none
 module f_axi_read #(

@@ -1,7 +1,7 @@
 // f_mem_arbiter.v - proof of rt_mem_arbiter: each client gets its own lines, in order, never stuck
 // SPDX-License-Identifier: Apache-2.0
 // Any request of any client may be marked. It is asked of memory once, with its line and its
-// client's tag, and its line is handed to its client as the one that many lines after the lines that
+// client's tag, and its line is handed to its client as the one that many lines after those that
 // this client asked for before it, with the data and the errors of its four beats, however beats of
 // other clients alternate with them. Memory answers only what was asked for, lines of a tag in
 // order; it and the clients may stall at any time.
@@ -77,7 +77,8 @@ module f_mem_arbiter #(
     end
     always @* if (!old_q) assume (rst);
     // memory sends no beat of a line that was not asked for
-    always @* if (mem_rsp_valid) assume (mem_rsp_tag < CLIENTS && asked_q[AB*mem_rsp_tag +: AB] != 0);
+    always @* if (mem_rsp_valid)
+        assume (mem_rsp_tag < CLIENTS && asked_q[AB*mem_rsp_tag +: AB] != 0);
 
     // ---- the marked request: lines of its client before it, its beats ----
     (* anyconst *) wire [CB-1:0] mine;

@@ -21,8 +21,8 @@ RTL_FILES := $(shell find $(RTL) -name '*.v' -o -name '*.vh')
 RTL_DIRS  := $(sort $(dir $(RTL_FILES)))
 FRAME_DATA := $(if $(filter 256,$(DATA)),128,$(DATA))
 PARAMETERS := $(shell sim/cores.py profile '$(PROFILE)') \
-              $(shell sim/cores.py parameters '$(CORE)') DATA=$(FRAME_DATA) MEM_DATA=$(DATA) VIDEO=1 \
-              LAYERS=$(LAYERS)
+              $(shell sim/cores.py parameters '$(CORE)') \
+              DATA=$(FRAME_DATA) MEM_DATA=$(DATA) VIDEO=1 LAYERS=$(LAYERS)
 VERILATE := $(VERILATOR) --cc --language 1364-2005 -O3 --x-assign unique --x-initial unique \
                 --top-module rt_top --prefix Vrt_top $(PARAMETERS:%=-G%) \
                 $(RTL_DIRS:%=-y %) $(RTL_DIRS:%=-I%)

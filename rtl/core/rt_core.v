@@ -131,7 +131,6 @@ module rt_core #(
                               : BOXES != 0 || W < 18 ? 2 : 4;
     localparam ROOT_UNITS = ROOTS != 0 ? ROOTS : PIPES > 1 ? 6 : 3;
     // Beside others a pipe sees fewer neighbours; block RAM has the room in any case.
-    localparam NODE_UNIT = PIPES > 1 ? 2*NODE_LINES : NODE_LINES;
     localparam LEAF_UNIT = PIPES > 1 ? 4*LEAF_LINES : LEAF_LINES;
     localparam ALL_SLOTS = SLOTS << $clog2(PIPES);
 
@@ -221,7 +220,7 @@ module rt_core #(
                 .ACCEL(BOXES != 0 ? 2 : ACCEL), .PIPES(PIPES),
                 .LEAF_UNITS(LEAF_COUNT), .SHADES(SHADE_UNITS), .SETUPS(SETUP_UNITS),
                 .SLOTS(ALL_SLOTS), .SQUARES(LUT_SQUARES), .LUTS(SPARE_LUTS),
-                .STACK(`RT_STACK_DEPTH), .NODE_LINES(NODE_UNIT), .LEAF_LINES(LEAF_UNIT),
+                .STACK(`RT_STACK_DEPTH), .NODE_LINES(NODE_LINES), .LEAF_LINES(LEAF_UNIT),
                 .ROOTS(ROOT_UNITS), .DIVISIONS(KEY_UNITS),
                 .ROOT_STEP(ROOT_STEP), .DIVISION_STEP(DIVISION_STEP), .LEAF_INTERVAL(LEAF_INTERVAL),
                 .FACET_INTERVAL(FACET_CLOCKS), .UNITS(UNITS), .UNIT_INTERVAL(UNIT_INTERVAL)

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //   IDLE -> LOAD registers -> WAIT for a frame -> START -> DRAW -> FLUSH pixels -> END -> IDLE
 //   any -- STOP, SOFT_RESET --> DRAIN until the buses owe nothing -> IDLE
-// A bus that owes an answer and does nothing for limit_i cycles is given up (dead): if it is that of
-// reads, the core is reset; pixels for that of writes are thrown away. So the frame ends, and a soft
-// reset drains the bus before the next one. A frame with any error is not complete. A display whose
-// bus is silent shows black and goes on by itself: the error is told once for each silence.
+// A bus that owes an answer and does nothing for limit_i cycles is given up (dead): if it is that
+// of reads, the core is reset; pixels for that of writes are thrown away. So the frame ends, and a
+// soft reset drains the bus before the next one. A frame with any error is not complete. A display
+// whose bus is silent shows black and goes on by itself: the error is told once for each silence.
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
