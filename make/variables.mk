@@ -79,8 +79,8 @@ CORE_MHZ ?= 84
 WATCHDOG ?= 200000
 ## TOP 0|1 if 1, make sim draws FRAMES one behind the other on one rt_top
 TOP ?= 0
-## TOP_DATA <words> bits of the data of rt_top's buses, of make top and cocotb
-TOP_DATA ?= 64 128
+## TOP_DATA <words> bits of the scene's data at rt_top, of make top and cocotb; of all up to 128
+TOP_DATA ?= 64 128 256
 ## HD_SCENE <word> scene in scenes/ of make top-hd
 HD_SCENE ?= paper5
 ## LAYERS 0|1 if 1, with TOP=1, rt_top stores Rendering, L1 and L2 of each frame side by side

@@ -11,6 +11,8 @@ module minimal;
     reg  [2:0]   beat = 4;
     wire         busy, ask, take, drawn;
     wire [25:0]  wanted;
+    wire [4:0]   reader;              // who asks
+    reg  [4:0]   tag;
     wire [13:0]  x, y;
     wire [23:0]  pixel;
     integer      i, file;
@@ -21,6 +23,7 @@ module minimal;
         .clk(clk), .rst(step[7]), .start_i(step == 119), .keep_cache_i(1'b0), .busy_o(busy),
         .cfg_valid_i(step < 119), .cfg_addr_i(step[6:0]), .cfg_data_i(regs[step[6:0]]),
         .mem_req_valid_o(ask), .mem_req_ready_i(beat == 4), .mem_req_line_o(wanted),
+        .mem_req_tag_o(reader), .mem_rsp_tag_i(tag),
         .mem_rsp_valid_i(beat < 4), .mem_rsp_ready_o(take), .mem_rsp_error_i(1'b0),
         .mem_rsp_data_i(mem[line][64*beat[1:0] +: 64]), .count_addr_i(5'd0), .count_data_o(),
         .pix_valid_o(drawn), .pix_ready_i(1'b1), .pix_x_o(x), .pix_y_o(y), .pix_frame_o(pixel),
@@ -28,7 +31,7 @@ module minimal;
     always #5 clk = !clk;
     always @(posedge clk) begin
         if (step != 122) step <= step + 1;
-        if (ask && beat == 4) {line, beat} <= {wanted[3:0], 3'd0};
+        if (ask && beat == 4) {tag, line, beat} <= {reader, wanted[3:0], 3'd0};
         else if (take && beat < 4) beat <= beat + 1;
         if (drawn) frame[y*24 + x] <= pixel;
         if (step == 122 && !busy) begin
