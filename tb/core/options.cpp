@@ -47,6 +47,7 @@ enum Key {
     MODEL_FRAME,
     CLOCKS,
     JSON,
+    TOGGLES,
     REPEAT
 };
 
@@ -98,6 +99,11 @@ const argp_option table[] = {
     {"clocks", CLOCKS, "FILE", 0,
      "write the clock in which each pixel left, a little-endian word of 32 bits, row by row", 0},
     {"json", JSON, "FILE", 0, "write a report", 0},
+    {"toggles", TOGGLES, "FILE", 0,
+     "count what switches in each instance, in the frame and in 1000 clocks behind it (of a "
+     "netlist "
+     "alone)",
+     0},
     {"repeat", REPEAT, "COMMAND", 0, "how the command printed for repetition starts", 0},
     {nullptr, 0, nullptr, 0, nullptr, 0},
 };
@@ -268,6 +274,9 @@ error_t parse(int key, char *arg, argp_state *state) {
         break;
     case JSON:
         o.json = arg;
+        break;
+    case TOGGLES:
+        o.toggles = arg;
         break;
     case REPEAT:
         o.repeat = arg;

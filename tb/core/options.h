@@ -54,7 +54,7 @@ struct Options {
     std::string engine; /* Icarus: the compiled bench; gates: the netlist as JSON */
     std::string core;   /* what the core was built with: a list of sim/cores.py */
     std::string built;  /* the same as parameters, NAME=VALUE ... */
-    std::string trace, frame, model_frame, clocks, json;
+    std::string trace, frame, model_frame, clocks, json, toggles;
     std::string repeat; /* how the command that repeats a failure starts */
 };
 

@@ -114,6 +114,8 @@ int main(int argc, char **argv) {
                             " lines of memory, more than --memory " + o.memory + " holds");
     }
 
+    if (!o.toggles.empty() && std::string(simulator_name) != "netlist")
+        return complain("--toggles: only a netlist is counted (SIM=ecp5)");
     if (o.pixel[0] >= 0 && !follow(o, machine, c, error)) return complain(error);
     if (o.life) return one_life(o, machine, c.window);
 

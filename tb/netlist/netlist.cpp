@@ -120,6 +120,23 @@ void Netlist::edge() {
         net[flops_[i].q] = next_[i];
 }
 
+void Netlist::tally(std::vector<Switching> *sums) {
+    const uint8_t *net = net_.data();
+    std::vector<Switching> unseen;
+    if (!sums) sums = &unseen;
+    sums->resize(instances_.size());
+    before_.resize(net_.size());
+    for (size_t i = 0; i < net_.size(); i++)
+        if (net[i] != before_[i] && owner_[i]) (*sums)[owner_[i] - 1].toggles++;
+    for (const Flop &f : flops_)
+        if (net[f.reset] || net[f.enable] ^ f.enable_low) (*sums)[owner_[f.q] - 1].clocked++;
+    for (size_t i = 0; i < blocks_.size(); i++) {
+        (*sums)[block_owner_[i] - 1].toggles += blocks_[i]->inside(net);
+        (*sums)[block_owner_[i] - 1].accesses += blocks_[i]->accesses(net);
+    }
+    before_ = net_;
+}
+
 void Netlist::set(const std::string &port, uint64_t value) {
     for (Net net : ports_[port]) {
         net_[net] = value & 1;
