@@ -29,6 +29,7 @@ enum Key {
     BUS_ERROR,
     SPOIL,
     EXPECT,
+    GATED,
     RESET_AT,
     LIFE,
     THEN,
@@ -74,6 +75,8 @@ const argp_option table[] = {
      "lines from LINE on, all records of leaves or more, answer with an error: no pixel sees a "
      "primitive; with --warm only in the second pass, which needs no line",
      0},
+    {"gated", GATED, nullptr, 0,
+     "the core's clock stands still while active_o is low (not in Icarus, CXXRTL)", 0},
     {"reset-at", RESET_AT, "N[:CLOCKS]", 0,
      "begin the frame, reset in its N-th clock, from 0, for CLOCKS clocks (1), and begin again", 0},
     {"life", LIFE, nullptr, 0, "frames, resets and errors one after another", 0},
@@ -203,6 +206,9 @@ error_t parse(int key, char *arg, argp_state *state) {
     case BUS_ERROR:
         o.bus_error_at = number(arg, 0, INT64_MAX, state);
         break;
+    case GATED:
+        o.gated = true;
+        break;
     case RESET_AT:
         if (!take(at, 0, INT64_MAX, o.reset_at) ||
             (*at && !take(at, ':', 1, INT32_MAX, o.reset_for)) || *at)
@@ -331,6 +337,7 @@ std::string repeat_command(const Options &o, const Window &w) {
         command += " --pixel " + std::to_string(o.pixel[0]) + "," + std::to_string(o.pixel[1]);
     if (o.spoil >= 0) command += " --spoil " + std::to_string(o.spoil);
     if (o.bus_error_at >= 0) command += " --bus-error-at " + std::to_string(o.bus_error_at);
+    if (o.gated) command += " --gated";
     if (o.life) command += " --life";
     for (const std::string &file : o.then)
         command += " --then " + file;

@@ -101,7 +101,7 @@ class NetlistCore : public PortHost {
         out.pixel.key = core_.get("pix_key_o");
         out.pixel.visits = static_cast<uint32_t>(core_.get("pix_visits_o"));
         out.pixel.texture = static_cast<uint32_t>(core_.get("pix_texture_o"));
-        core_.edge();
+        if (!o_.gated || core_.get("active_o")) core_.edge();
         core_.settle();
         out.seen = {core_.get("busy_o") != 0, static_cast<uint32_t>(core_.get("errors_o")),
                     core_.get("count_data_o"), true};

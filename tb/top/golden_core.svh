@@ -18,6 +18,7 @@
     reg [47:0] count_q;
     int        x, y, rendering, l1, l2, chosen;
     assign busy_o          = state_q != IDLE;
+    assign active_o        = 1'b1;
     assign mem_req_valid_o = state_q == READ && asked_q != 2 * lines_q;
     assign mem_req_line_o  = `RT_LINE_BITS'(asked_q < lines_q ? asked_q : asked_q - lines_q);
     assign mem_rsp_ready_o = state_q == READ && !wait_q[0];
