@@ -128,6 +128,8 @@ GROUPS = {
         ("budget", "synth.budget", "FOLDER BUDGET...", "is a core within its budget?"),
         ("placed", "synth.placed", "REPORT LOG ROUTED SECONDS VERSION",
          "what nextpnr says, in short"),
+        ("toggles", "synth.toggles", "--record TOOL BUILD SCENE PROFILE EFFECTS SIZE ACCEL",
+         "what switches in a core's netlist, busy and idle"),
         ("placed-between", "synth.between", "NETLIST",
          "the registers that a core is placed between, Verilog"),
         ("slow-paths", "synth.families", "SDF [LINES]", "slow paths of a placed core"),

@@ -114,6 +114,11 @@ int main(int argc, char **argv) {
                             " lines of memory, more than --memory " + o.memory + " holds");
     }
 
+    const std::string simulator = simulator_name;
+    if (!o.toggles.empty() && simulator != "netlist")
+        return complain("--toggles: only a netlist is counted (SIM=ecp5)");
+    if (o.gated && simulator != "netlist" && simulator != "verilator")
+        return complain("--gated: not in " + simulator + ", whose clock does not stop");
     if (o.pixel[0] >= 0 && !follow(o, machine, c, error)) return complain(error);
     if (o.life) return one_life(o, machine, c.window);
 
