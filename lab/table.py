@@ -105,6 +105,8 @@ GROUPS = {
         ("area", "synth.report", "FOLDER KEY...", "tables of synthesised cores"),
         ("area-page", "synth.page", "PAGE FOLDER KEY...", "docs/results/area.md"),
         ("budget", "synth.budget", "FOLDER BUDGET...", "is a core within its budget?"),
+        ("clock-budget", "synth.clock_budget", "BUILD BUDGET [BLOCK...]",
+         "are blocks, routed alone, as fast as they must be?"),
         ("placed", "synth.placed", "REPORT LOG ROUTED SECONDS VERSION",
          "what nextpnr says, in short"),
         ("slow-paths", "synth.families", "SDF [LINES]", "slow paths of a placed core"),

@@ -6,6 +6,7 @@
 #   make study-page              the page from the results that are there; tables of which one is
 #                                missing stay as they are
 #   make study-short             some small jobs and no page: what tests/lab/test_study.sh runs
+#   make clock-budget [BLOCK=module]  MHz of blocks routed alone, within synth/clock_budget.txt
 #   make study RESULTS=folder    results elsewhere: put folders of several machines together
 #   make study ENGINE=slurm      on a cluster: docs/guide/cluster.md
 # lab/study/points.py says which runs these are, lab/jobs/store.py how a result is kept. Clocks are
@@ -19,7 +20,7 @@ study_plan = $(Q)python3 -m lab study-plan $(1) $(if $(KINDS),--kinds $(KINDS)) 
 # + before it: the commands share the JOBS of this make
 jobs_run   = python3 -m lab jobs $(ENGINE) $(1)
 
-.PHONY: study study-short study-page study-pnr study-seeds study-paths
+.PHONY: study study-short study-page study-pnr study-seeds study-paths clock-budget
 study: $(TOOL) ## docs/results/accuracy.md: what a bit costs in time and cells; two hours
 	$(call study_plan)
 	+$(Q)$(call jobs_run,$(STUDY)/jobs); rc=$$?; \
@@ -48,6 +49,9 @@ study-paths: $(STUDY)/venv/done ## slow paths of a core placed with the first of
 	$(Q)sh synth/core.sh $(SEEDS_CORE) $(SEEDS_AT)/core
 	$(Q)export SDF=1 s=$(firstword $(SEEDS)); $(place_seed) && \
 	    python3 -m lab slow-paths $(SEEDS_AT)/$$s/delays.sdf
+
+clock-budget: $(STUDY)/venv/done ## MHz of blocks routed alone: synth/clock_budget.txt, or BLOCK
+	$(Q)python3 -m lab clock-budget $B synth/clock_budget.txt $(BLOCK)
 
 study-pnr: $(STUDY)/venv/done
 $(STUDY)/venv/done:
