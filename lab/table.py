@@ -67,6 +67,8 @@ EXPERIMENTS = [Experiment(*row) for row in (
      ["study.experiment:clocks BUILD"]),
     ("study-paths", "slow paths of a core placed with the first of SEEDS; minutes",
      ["study.experiment:paths BUILD"]),
+    ("clock-budget", "MHz of blocks routed alone: synth/clock_budget.txt, or BLOCK",
+     ["study.experiment:budget BUILD"]),
     ("truth", "docs/results/accuracy.md: the model against POV-Ray, scene by scene",
      ["truth.measure TOOL BUILD/truth", "truth.measure:scale TOOL BUILD/truth",
       "truth.page docs/results/accuracy.md BUILD/truth docs/pictures/truth"]),

@@ -189,8 +189,8 @@ module rt_core #(
     reg              mux_valid_q;                    // a pixel is at the port
     wire             mux_ready = !mux_valid_q || pix_ready_i;
     wire             working = walk_busy || e_busy != 0 || mux_valid_q;
-    localparam SB = $clog2(PLACES + 5);
-    localparam [31:0] WAIT = PLACES + 4;
+    localparam SB = $clog2(PLACES + 6);
+    localparam [31:0] WAIT = PLACES + 5;
     reg [SB-1:0]     settle_q;                       // cycles until the counters are complete
     assign busy_o = working || settle_q != {SB{1'b0}} || start_q || start_two_q;
     always @(posedge clk) begin
