@@ -1,9 +1,9 @@
 // f_facet_way.v - proof of what waits for a facet's sums: its group, the room and size of its ray
 // SPDX-License-Identifier: Apache-2.0
 // From any state: a facet is taken in clock 0, and in clock 2 the queue is given what
-// sph_facet_own() and end() of cmodel/prim/facet.c have: whether the ray's skip is of its group, the
-// longest axis of dir, of equal ones the first, and along it the room to one unit beyond the grid,
-// and |dir|.
+// sph_facet_own() and end() of cmodel/prim/facet.c have: whether the ray's skip is of its group,
+// the longest axis of dir, of equal ones the first, and along it the room to one unit beyond the
+// grid, and |dir|.
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
