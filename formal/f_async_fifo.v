@@ -107,7 +107,8 @@ module f_async_fifo #(
         assert (\u_dut.wr_gray_q == (wr_q ^ (wr_q >> 1)));
         assert (\u_dut.rd_gray_q == (rd_q ^ (rd_q >> 1)));
         assert (w2_in <= w1_in && w1_in <= w0_in && w0_in <= words && words - w0_in <= 1);
-        assert (r2_on <= r1_on && r1_on <= r0_on && r0_on <= rd_on && rd_on <= wr_on && wr_on <= DEPTH);
+        assert (r2_on <= r1_on && r1_on <= r0_on && r0_on <= rd_on && rd_on <= wr_on &&
+                wr_on <= DEPTH);
         assert (rd_on - r0_on <= 1);
         if (marked_q && !gone_q) begin
             assert (number_q[AB-1:0] == \u_dut.u_words.mark );

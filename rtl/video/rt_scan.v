@@ -143,7 +143,8 @@ module rt_scan #(
     assign stall_o       = owed_q != {CB{1'b0}} && !m_scan_rvalid &&
                            !(m_scan_arvalid && m_scan_arready);
     always @(posedge clk) begin
-        owed_q <= owed_q + (go ? {{(CB-LB-1){1'b0}}, length_q} : {CB{1'b0}}) - {{(CB-1){1'b0}}, beat};
+        owed_q <= owed_q + (go ? {{(CB-LB-1){1'b0}}, length_q} : {CB{1'b0}}) -
+                  {{(CB-1){1'b0}}, beat};
         if (rst || forget_i) owed_q <= {CB{1'b0}};
     end
     assign word_valid_o = header || (beat && !stale_q && enable_i);
