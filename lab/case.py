@@ -28,11 +28,16 @@ def tool(build, *words):
                           stderr=subprocess.DEVNULL, text=True).stdout
 
 
+def asked(run, build, command, *more):
+    """The report of a command for the scene of the run, with all that the scene names: the run's
+    machine lacks what no ray meets, as the exact tests find it."""
+    return json.loads(tool(build, command, run.built["input"],
+                           *shlex.split(run.key["BUILD_OPTIONS"]), *more, "--json", "-"))
+
+
 def prices(run, build, *more):
-    """The table of `sphaera price` for the scene of the run."""
-    options = shlex.split(run.key["BUILD_OPTIONS"])
-    return json.loads(tool(build, "price", run.built["input"], *options, "--pixels", PIXELS, *more,
-                           "--json", "-"))["price"]
+    """The table of `sphaera price`."""
+    return asked(run, build, "price", "--pixels", PIXELS, *more)["price"]
 
 
 def of_profile(run, table):
@@ -59,8 +64,8 @@ def accuracy(run, build, table):
 # ---- hard tests ----
 def floats(run, build):
     picture = run.folder / "floats.png"
-    report = json.loads(tool(build, "floats", str(run.folder / "scene.sph"), "--picture",
-                             str(picture), "--json", "-"))
+    report = asked(run, build, "floats", "--profile", run.machine["profile"], "--picture",
+                   str(picture))
     kinds, pixels, rows = report["floats"], report["pixels"], []
     for kind, of in kinds.items():
         for which in ("float32", "float64") if of["all"]["rays"] else ():
