@@ -49,8 +49,9 @@ sim: $(TOOL) $(PICTURES) ## SCENE through model and RTL, compared bit for bit; T
 	    $(call values,CSV) $(call run,sim,$(SIM_KEY)))
 
 .PHONY: case
-case: sim ## SCENE's case on a page: accuracy, hard tests, own core, limit; RTL=1: whole core simulated
-	$(Q)$(call values,RTL CELLS DEPTH) BUILD=$B python3 -m lab case $$($(call run,--folder sim,$(SIM_KEY)))
+case: sim ## a page of SCENE: what accuracy costs, hard tests, own core, limit; CELLS=0
+	$(Q)folder=$$($(call run,--folder sim,$(SIM_KEY))) && \
+	    $(call values,RTL CELLS DEPTH) BUILD=$B python3 -m lab case $$folder
 
 .PHONY: movie-setup
 movie-setup: ## installs ffmpeg (apt), which films in .mp4 need

@@ -7,7 +7,7 @@
  *   textbook  sphere: disc = b^2 - a*c, c = |oc|^2 - rad^2, t = (b -+ sqrt(disc)) / a; triangle:
  *             Moeller and Trumbore 1997; plane: n.(p - org) / n.dir
  *   paper     sphere: disc = k*a + b^2, k = rad^2 - |oc|^2 (Borodavka et al. VI.A); triangle: the
- *             volumes of docs/design/facet.md
+ *             volumes of docs/design/primitives.md
  *   Gems      Haines et al., Ray Tracing Gems ch. 7: disc = rad^2 - |f + (b/a)*dir|^2, f = -oc;
  *             q = b + sign(b)*sqrt(a*disc), roots c/q and q/a
  */

@@ -19,8 +19,7 @@ static const struct {
     {"background", tool_background}, {"texels", tool_texels}, {"accuracy", tool_accuracy},
     {"reference", tool_reference},   {"export", tool_export}, {"operations", tool_operations},
     {"load", tool_load_board},       {"view", tool_view},     {"movie", tool_movie},
-    {"trees", tool_trees},           {"price", tool_price},
-    {"floats", tool_floats},
+    {"trees", tool_trees},           {"price", tool_price},   {"floats", tool_floats},
 };
 enum { N_COMMANDS = sizeof commands / sizeof *commands };
 

@@ -177,7 +177,7 @@ def page(run):
     body = head(run) + wrong.section(run, at) + pictures(run, at) + maps(run, drawn) + cycles(run) \
         + roof(run) + costs(run) + counters(run) + machine_words(run) + effects(run)
     if (run.folder / "case.html").exists():
-        body += '<p><a href="case.html">The case of this scene</a>: accuracy, hard tests, cells.</p>'
+        body += '<p><a href="case.html">The case of this scene</a></p>'
     if repeat.exists():
         body += "<h2>Again</h2>" + html.command("again", repeat.read_text("utf-8").strip())
     return html.whole(f"{run.report['scene']}, {run.report['profile']}: model and RTL", body)
