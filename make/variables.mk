@@ -105,8 +105,11 @@ LITERAL ?= 0
 WAVES ?= 0
 ## MORE 0|1@price if 1, make price has a row for each single knob that pays
 MORE ?= 0
-## RTL 0|1@price if 1, make price measures clocks on the RTL, a minute a core
+## RTL 0|1@price|1@case if 1, make price measures clocks on the RTL, a minute a core, and make case
+##             those of the whole core
 RTL ?= 0
+## CELLS 0@case|1 if 0, make case synthesises nothing
+CELLS ?= 1
 ## CSV <text>| file to which make sim appends a row of what it counted
 CSV ?=
 ## TARGET ecp5|xc7|generic|all of make synth
