@@ -225,7 +225,8 @@ module rt_top #(
     ) u_core (
         .clk(clk), .rst(core_rst), .cfg_valid_i(cfg_valid), .cfg_addr_i(cfg_addr),
         .cfg_data_i(cfg_data), .start_i(core_start), .keep_cache_i(core_keep),
-        .busy_o(core_busy), .active_o(core_active), .mem_req_valid_o(req_valid), .mem_req_ready_i(req_ready),
+        .busy_o(core_busy), .active_o(core_active),
+        .mem_req_valid_o(req_valid), .mem_req_ready_i(req_ready),
         .mem_req_line_o(req_line), .mem_rsp_valid_i(rsp_valid), .mem_rsp_ready_o(rsp_ready),
         .mem_rsp_data_i(rsp_data), .mem_rsp_error_i(rsp_error), .pix_valid_o(pix_valid),
         .pix_ready_i(pix_ready), .pix_x_o(pix_x), .pix_y_o(pix_y), .pix_colour_o(pix_colour),
