@@ -112,7 +112,7 @@ RTL ?= 0
 CELLS ?= 1
 ## CSV <text>| file to which make sim appends a row of what it counted
 CSV ?=
-## TARGET ecp5|xc7|generic|all of make synth
+## TARGET ecp5|xc7|gowin|ice40|nexus|gatemate|efinix|generic|all of make synth
 TARGET ?= ecp5
 ## FLAT 0|1 if 1, make synth dissolves the hierarchy before it maps
 FLAT ?= 0
