@@ -145,9 +145,9 @@ setup: ## install missing packages (apt), see sim/packages.txt
 all: tool ## everything that is built without simulators
 tool: $(TOOL) ## the command-line tool build/sphaera
 
-include make/objects.mk make/sim.mk make/pages.mk make/bench.mk make/lab.mk make/lint.mk \
-        make/study.mk make/synth.mk make/package.mk make/install.mk make/test.mk make/image.mk \
-        make/hard.mk make/formal.mk make/truth.mk make/top.mk make/report.mk make/board.mk \
+include make/objects.mk make/sim.mk make/bench.mk make/lab.mk make/lint.mk \
+        make/synth.mk make/package.mk make/install.mk make/test.mk make/image.mk \
+        make/hard.mk make/formal.mk make/top.mk make/report.mk make/board.mk \
         make/jobs.mk make/litex.mk make/view.mk make/film.mk make/host.mk make/mutants.mk \
         make/fuzz.mk make/neon.mk
 
@@ -160,9 +160,7 @@ layout: ## what follows from machine.def, top.def, bundles.def, modes.def, VERSI
 	$(call say,GEN,"layout.h rt_layout.vh rt_effects*.vh rt_core_*.vh rt_top.vh sphaera_regs.h")
 	$(call say,GEN,"rt_modes.vh sphaera_modes.h rt_bundles.vh bundles.h and fields beside ports")
 	$(call say,GEN,"sphaera.f sphaera.core")
-	$(Q)sh sim/layout.sh
-	$(Q)sh sim/bundles.sh
-	$(Q)sh sim/filelist.sh
+	$(Q)python3 -m lab layout
 
 clean: ## remove build/
 	$(Q)[ ! -L $B ] || rm -rf -- "$$(realpath -- $B)"; rm -rf $B

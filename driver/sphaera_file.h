@@ -12,7 +12,7 @@
 #include "sphaera_regs.h"
 
 enum {
-    SPHAERA_FILE_VERSION = 6,
+    SPHAERA_FILE_VERSION = 7,
     SPHAERA_AT_VERSION = 8, /* bytes from the start */
     SPHAERA_AT_HEADER = 12,
     SPHAERA_AT_REGISTERS = 16,

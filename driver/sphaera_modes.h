@@ -1,4 +1,4 @@
-/* sphaera_modes.h - generated from modes.def by sim/modes.awk; do not edit
+/* sphaera_modes.h - generated from modes.def by make layout; do not edit
  * SPDX-License-Identifier: Apache-2.0
  * SPHAERA_MODES(X): X(name, kHz, fields as SPHAERA_MODE_FIELDS names them) each. */
 #ifndef SPHAERA_MODES_H

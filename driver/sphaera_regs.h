@@ -1,4 +1,4 @@
-/* sphaera_regs.h - generated from top.def and machine.def by gen_top.awk; do not edit
+/* sphaera_regs.h - generated from top.def and machine.def by make layout; do not edit
  * SPDX-License-Identifier: Apache-2.0
  */
 #ifndef SPHAERA_REGS_H
@@ -90,6 +90,8 @@
 #define SPHAERA_ERRORS_MISSING_EFFECT 0x00000010u /* EFFECTS or TREE asks for what was not elaborated: nothing is rendered */
 #define SPHAERA_ERRORS_WRONG_PROFILE_LSB 5u
 #define SPHAERA_ERRORS_WRONG_PROFILE 0x00000020u /* the machine has other widths: nothing is rendered */
+#define SPHAERA_ERRORS_LEFT_OUT_LSB 6u
+#define SPHAERA_ERRORS_LEFT_OUT 0x00000040u /* a ray met what asks for an effect that was left out, as no ray was to meet it */
 #define SPHAERA_ERRORS_SCENE_SLVERR_LSB 8u
 #define SPHAERA_ERRORS_SCENE_SLVERR 0x00000100u /* memory answered a read of the scene with SLVERR */
 #define SPHAERA_ERRORS_SCENE_DECERR_LSB 9u
@@ -194,7 +196,7 @@
 #define SPHAERA_LAYER_BYTES_UNITS 0xffffffc0u /* of 64 bytes, the bits below are 0 */
 
 #define SPHAERA_MACHINE 0x200u
-#define SPHAERA_MACHINE_REGISTERS 119u
+#define SPHAERA_MACHINE_REGISTERS 120u
 #define SPHAERA_COUNTERS 0x400u
 #define SPHAERA_COUNTS 41u
 
@@ -259,6 +261,7 @@
 #define SPHAERA_REG_DOWN_Y 116u
 #define SPHAERA_REG_DOWN_Z 117u
 #define SPHAERA_REG_LEAST_WEIGHT 118u
+#define SPHAERA_REG_ONE_CAMERA 119u
 
 #define SPHAERA_COUNT_RAYS_PRIMARY 0u
 #define SPHAERA_COUNT_RAYS_SHADOW 1u
@@ -300,6 +303,7 @@
     X(SPHAERA_ERRORS_BUS_ERROR, "memory answered with an error") \
     X(SPHAERA_ERRORS_MISSING_EFFECT, "EFFECTS or TREE asks for what was not elaborated: nothing is rendered") \
     X(SPHAERA_ERRORS_WRONG_PROFILE, "the machine has other widths: nothing is rendered") \
+    X(SPHAERA_ERRORS_LEFT_OUT, "a ray met what asks for an effect that was left out, as no ray was to meet it") \
     X(SPHAERA_ERRORS_SCENE_SLVERR, "memory answered a read of the scene with SLVERR") \
     X(SPHAERA_ERRORS_SCENE_DECERR, "memory answered a read of the scene with DECERR") \
     X(SPHAERA_ERRORS_FRAME_SLVERR, "a write to the frame store was answered with SLVERR") \

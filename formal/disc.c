@@ -4,7 +4,7 @@
  * Every difference of two coordinates of W bits, every radius and every direction of WD bits:
  * sph_leaf_test()'s disc, in 128 bits, lies in s(2W+2WD+2) and below 2^(2W+2WD), b and k in their
  * words; so disc is the sum of its terms modulo 2^(2W+2WD+2). Some disc leaves s(2W+2WD+1). For
- * all widths: disc.smt2 and docs/results/formal.md.
+ * all widths: disc.smt2 and docs/results/hard_cases.md.
  *
  * Exit: 0 all hold, 1 one does not.
  */

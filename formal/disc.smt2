@@ -1,6 +1,6 @@
 ; disc.smt2 - the discriminant of all widths: Lagrange's identity and its bounds, for numbers
 ; SPDX-License-Identifier: Apache-2.0
-; Each lemma is denied, and must then have no solution. Together: docs/results/formal.md.
+; Each lemma is denied, and must then have no solution. Together: docs/results/hard_cases.md.
 
 ; ---- k a + b^2 = rad^2 a - |oc x dir|^2, with k = rad^2 - |oc|^2, a = |dir|^2, b = oc.dir ----
 (declare-const ox Int) (declare-const oy Int) (declare-const oz Int) (declare-const rad Int)

@@ -3,7 +3,7 @@
 // From det, num, U2, V (f_facet_sums.v), N.lift and |N_x| + |N_y| + |N_z| a clock later, and from
 // the queues another clock later whether the facet is the ray's own, a plane, the ray one to a
 // light: hit, det', num' and the sign are those of the model in words that hold every value. That
-// all keep their bounds (docs/design/facet.md) is assumed. Queues, sums and keys say anything.
+// all keep their bounds (docs/design/primitives.md) is assumed. Queues, sums and keys say anything.
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"

@@ -1,7 +1,8 @@
 // f_facet_sums.v - proof that rt_facet_sums has N and the sums of sph_facet_test(), real widths
 // SPDX-License-Identifier: Apache-2.0
 // A facet is taken in the first clock, others at any time INTERVAL clocks apart. Products are a
-// function of their factors, sums are modulo 2^CW and 2^VW, which hold them (docs/design/facet.md);
+// function of their factors, sums are modulo 2^CW and 2^VW, which hold them
+// (docs/design/primitives.md);
 // N and m = dir x A0 first, and from what they are det, num, U2 and V.
 `timescale 1ns / 1ps
 `default_nettype none

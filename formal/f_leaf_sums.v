@@ -1,7 +1,7 @@
 // f_leaf_sums.v - proof that rt_leaf_sums has b and k of sph_leaf_test()
 // SPDX-License-Identifier: Apache-2.0
 // A leaf is taken in the first clock, none in the three behind it. Products are a function of their
-// factors; sums are modulo 2^BW, 2^KW, which hold them (docs/reference/number_formats.md). Of two
+// factors; sums are modulo 2^BW, 2^KW, which hold them (docs/reference/machine_file.md). Of two
 // pieces a number is 2^17 h + l, 0 <= l < 2^17, and products.smt2 has the product; that of 2 h and
 // l is twice that of h and l.
 `timescale 1ns / 1ps

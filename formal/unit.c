@@ -1,5 +1,6 @@
-/* unit.c - proof for every argument: the table of inverse square roots lies where filter.md needs
- * it SPDX-License-Identifier: Apache-2.0
+/* unit.c - proof for every argument: inverse square roots lie where docs/design/traversal.md needs
+ * them
+ * SPDX-License-Identifier: Apache-2.0
  *
  * y^2 (x + 1) <= 2^50 for every x of the table: so y times the square root of any number below
  * x + 1 is at most 2^25, and no unit vector is longer than 1 before its rounding. And

@@ -7,6 +7,8 @@ import os
 import re
 import sys
 
+from sim.definition import Unsound
+
 from . import table, tasks
 
 HEAD = """usage: python3 -m lab COMMAND [ARGUMENT...]       from the root of the tree
@@ -128,5 +130,5 @@ if __name__ == "__main__":
         sys.exit(main(sys.argv[1:]))
     except BrokenPipeError:     # who reads has seen enough
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-    except (ModuleNotFoundError, OSError, UnicodeError) as why:
+    except (ModuleNotFoundError, OSError, UnicodeError, Unsound) as why:
         sys.exit(f"lab {sys.argv[1]}: {why}")

@@ -1,4 +1,4 @@
-# background.py - the ways of background separation compared, into docs/results/background.md
+# background.py - the ways of background separation compared, into docs/results/effects.md
 # SPDX-License-Identifier: Apache-2.0
 """BUILD/background holds, for each scene, NAME.json of `sphaera background`, and for each way
 NAME-WAY.sph and NAME-WAY.core.json, the report of the RTL's run. Every way runs on one core, the
@@ -152,9 +152,10 @@ def main(page, build):
     def views():
         return {name: whole.load(os.path.join(folder, name + ".json")) for name in names}
     place(page, "make background", {
-        "saved": lambda: saved(views()), "literal": lambda: literal(views()),
-        "setup": lambda: setup(views()[SHOWN]), "walk": lambda: walk(views()[SHOWN]),
-        "series": lambda: series(views()[SHOWN]),
-        "visits": lambda: counted(names, folder, "node_visits"),
-        "cycles": lambda: counted(names, folder, "cycles"),
-        "cells": lambda: cells(synth, keys)})
+        "background_saved": lambda: saved(views()), "background_literal": lambda: literal(views()),
+        "background_setup": lambda: setup(views()[SHOWN]),
+        "background_walk": lambda: walk(views()[SHOWN]),
+        "background_series": lambda: series(views()[SHOWN]),
+        "background_visits": lambda: counted(names, folder, "node_visits"),
+        "background_cycles": lambda: counted(names, folder, "cycles"),
+        "background_cells": lambda: cells(synth, keys)})

@@ -4,7 +4,7 @@
 Verilator counts how often a branch of a module is taken and each bit of its ports and registers
 changes. A module's bench runs with 3000 vectors in its first MOST lines of tb/benches*.txt; what
 any of them meets counts. Without MODULEs those of at most LINES lines of code. The table goes into
-docs/results/mutants.md."""
+docs/results/verification.md."""
 import glob
 import os
 import re
@@ -13,7 +13,7 @@ import subprocess
 import sys
 from collections import defaultdict
 
-from .faults import benches
+from . import benches
 from .faults.drawn import page, plan
 from .pages import place
 

@@ -1,4 +1,4 @@
-# fuzz.py - what `make fuzz` has run, as the table of docs/results/mutants.md
+# fuzz.py - what `make fuzz` has run, as the table of docs/results/verification.md
 # SPDX-License-Identifier: Apache-2.0
 """RUNS has a row for each run (tests/fuzz/fuzz.sh). Those of a harness that had the sources of its
 last one are added up; older sources were others, and what failed in them is told on the page. RUNS

@@ -22,7 +22,7 @@ engine                   the golden model ends here: one pixel, literally
 fast validate scene      its fast twin; is a machine sound; scene files
 reference render         the scene in double precision; whole frames
 builder                  scene to machine
-naive image              a second model, of unbounded integers; pictures
+naive image trial        a second model, of unbounded integers; pictures; machines on trial
 sphaera view             the library's face; the live view
 tool
 """

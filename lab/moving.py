@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """measure() leaves NAME.json in a folder for each sequence: what `sphaera render --frames` reports.
 A result younger than the tool is kept. Building has one thread: its processor time is its time.
-page() puts the table of docs/results/moving.md in its place. Clocks are the model's: the slower of
+page() puts the table of docs/results/trees.md in its place. Clocks are the model's: the slower of
 visits, a clock each, and exact tests, a clock for a sphere and ten for the plane; 8 bytes of an
 upload are a clock too. Frames a second follow in the page (lab/pages/rates.py)."""
 import json
@@ -105,4 +105,4 @@ def page(name_of, folder):
     head = ["scenario, spheres", "tree", "build, ms", "refit, ms", "build by the rule, ms",
             "upload, million clocks", "draw, million clocks", "visits a pixel", "more refitted, %",
             "cost, %", "auto refits"]
-    place(name_of, "make moving", {"rates": lambda: report.table(head, rows(), 2)})
+    place(name_of, "make moving", {"moving": lambda: report.table(head, rows(), 2)})

@@ -1,4 +1,4 @@
-# shadow_acne.py - falsely dark pixels of triangles: scenes, runs, table of docs/design/facet.md
+# shadow_acne.py - falsely dark pixels of triangles, for docs/design/primitives.md
 # SPDX-License-Identifier: Apache-2.0
 """TOOL makes scenes, COUNTER (tests/shadow_acne/main.c) counts, FOLDER keeps the scenes."""
 import math

@@ -44,7 +44,7 @@ key = $(or $(shell ENGINES=$(ENGINES) PIPES=$(PIPES) LEAF_UNITS=$(LEAF_UNITS) SH
 KEYS := $(foreach p,$(profiles),$(foreach t,$(targets),$(foreach e,$(EFFECTS), \
             $(call key,$p,$e,$t))))
 
-# What docs/results/area.md shows: everything on; the standard core for ecp5 with less, and flat.
+# What speed_and_area.md shows: everything on; the standard core for ecp5 with less, and flat.
 FULL := -all-engines1
 PAGE := $(foreach p,$(KNOWN_PROFILES),$(foreach t,$(KNOWN_TARGETS),$p-$t$(FULL))) \
     $(foreach e,none all-shadow all-reflect,standard-ecp5-$e-engines1) \
@@ -63,6 +63,6 @@ report: results
 	$(Q)python3 -m lab area $B/synth $(KEYS)
 
 page: $(PAGE:%=$B/synth/%/stat.json)
-	$(Q)python3 -m lab area-page docs/results/area.md $B/synth $(PAGE)
+	$(Q)python3 -m lab area-page docs/results/speed_and_area.md $B/synth $(PAGE)
 
 -include $(patsubst %,$B/synth/%/sources.d,$(sort $(KEYS) $(PAGE)))

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 #   make bench-setup    installs Embree
-#   make bench          ratios of ways, and docs/results/speed.md; without Embree or POV-Ray it says
+#   make bench          ratios of ways, and speed_and_area.md; without Embree or POV-Ray it says
 #                       so, and what they would tell stays as it is
 
 .PHONY: bench bench-setup hashes
@@ -20,7 +20,7 @@ bench-setup: ## installs Embree (apt), which make bench sets the model beside
 
 bench: $(TOOL) $(EMBREE) ## one way of the golden model against another, and Embree, as ratios
 	$(Q)python3 -m lab ratios $(TOOL) $B/bench
-	$(Q)python3 -m lab speed $(TOOL) $B/bench docs/results/speed.md $(EMBREE)
+	$(Q)python3 -m lab speed $(TOOL) $B/bench docs/results/speed_and_area.md $(EMBREE)
 
 hashes: $(TOOL) $B/test/naive-frame ## write scenes/hashes*.txt: what both models draw now
 	$(Q)SPHAERA=$(TOOL) sh sim/hashes.sh >$B/hashes.txt

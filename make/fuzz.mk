@@ -110,13 +110,13 @@ fuzz-setup: ## installs AFL++ (apt), which make fuzz takes if it is there
 
 fuzz: $(TOOL) $(foreach n,$(FUZZ_ASKED),$(FUZZ)/gcc/fuzz_$n $(FUZZ)/clang/fuzz_$n \
       $(if $(FUZZ_AFL),$(FUZZ)/afl/fuzz_$n) $(FUZZ)/plain/fuzz_$n)
-fuzz: ## readers of files and options: MINUTES for each HARNESS; docs/results/mutants.md
+fuzz: ## readers of files and options: MINUTES for each HARNESS; docs/results/verification.md
 	$(Q)BUILD=$(call absolute,$B) SEED=$(SEED) MINUTES=$(MINUTES) INPUTS=$(INPUTS) \
 	    sh tests/fuzz/fuzz.sh $(if $(FUZZ_AFL),afl,plain) $(FUZZ_ASKED)
 
 .PHONY: fuzz-page
-fuzz-page: ## what make fuzz has run, into docs/results/mutants.md
-	$(Q)python3 -m lab fuzz-page $(FUZZ)/runs.tsv docs/results/mutants.md
+fuzz-page: ## what make fuzz has run, into docs/results/verification.md
+	$(Q)python3 -m lab fuzz-page $(FUZZ)/runs.tsv docs/results/verification.md
 
 # ---- faults on the way of files ----
 .PHONY: faults

@@ -4,7 +4,7 @@
 #   make hard                  all operands of three bits, 1 million generated cases a profile
 #   make hard N=175000000 STATE=file      a campaign that can be stopped and resumed
 #   make hard FAMILY=facets               one family, or those of a kind
-#   make hard ENGINE=slurm                on a cluster: docs/guide/cluster.md
+#   make hard ENGINE=slurm                on a cluster: docs/guide/simulation.md
 HARD_C      := $(sort $(wildcard tests/hard/*.c))
 HARD_CFLAGS := -Itests -Itests/hard -ffp-contract=off
 HARD_LIBS    = $(call pkg,--libs jansson) $(MODEL_LIBS)

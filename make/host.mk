@@ -1,12 +1,12 @@
-# host.mk - random lives of cores under a host, a third simulator: docs/results/mutants.md
+# host.mk - random lives of cores under a host, a third simulator: docs/results/verification.md
 # SPDX-License-Identifier: Apache-2.0
 
 .PHONY: host host-page host-whole cxxrtl cxxrtl-setup
 host: $(TOOL) ## TRIALS of what a host may do to a core, SEED; ten minutes of a processor
 	$(Q)BUILD=$B SPHAERA=$(TOOL) SEED=$(SEED) TRIALS=$(TRIALS) sh sim/host.sh $(ONLY)
 
-host-page: host-whole host ## the same, and what was met into docs/results/mutants.md
-	$(Q)python3 -m lab place docs/results/mutants.md \
+host-page: host-whole host ## the same, and what was met into docs/results/verification.md
+	$(Q)python3 -m lab place docs/results/verification.md \
 	    "make host-page SEED=$(SEED) TRIALS=$(TRIALS)" events $B/host/events.md
 
 host-whole:

@@ -1,5 +1,8 @@
-# jobs.mk - ENGINE=slurm, tried on a Slurm of this machine: docs/guide/cluster.md
+# jobs.mk - jobs of a list; ENGINE=slurm tried on a Slurm of this machine: docs/guide/simulation.md
 # SPDX-License-Identifier: Apache-2.0
+
+# + before it: the commands share the JOBS of this make
+jobs_run = python3 -m lab jobs $(ENGINE) $(1)
 
 .PHONY: slurm-setup slurm-test
 slurm-setup: ## installs Slurm (apt), which `make slurm-test` needs

@@ -1,13 +1,24 @@
-# lab.mk - experiments: what `python3 -m lab` runs, one row of lab/table.py each
+# lab.mk - experiments, one row of lab/table.py each, and pages: what `python3 -m lab` runs
 # SPDX-License-Identifier: Apache-2.0
 #
 # Results lie in $B/NAME; one that is younger than what it is made of is kept.
 
 EXPERIMENTS := $(shell sed -n '/^EXPERIMENTS/,/^.]/s/^    ."\([a-z-]*\)".*/\1/p' lab/table.py)
 
-.PHONY: $(EXPERIMENTS) papers-setup specks
+.PHONY: $(EXPERIMENTS) pages pages-age papers-setup truth-setup specks
 $(EXPERIMENTS): $(TOOL)
-	$(Q)$(call values,JOBS V ENGINE BART) python3 -m lab $@ --build $B
+	$(Q)$(call values,JOBS V ENGINE BART KINDS RESULTS ROUTE SEEDS \
+	    SEEDS_CORE) python3 -m lab $@ --build $B
+
+pages-age: ## of each measured table: commit, day, how many commits changed sources since
+	$(Q)python3 -m lab age
+
+pages: ## tables and figures of README and docs; synthesises cores whose RTL changed, 90 s each
+	$(Q)BUILD=$B python3 -m lab cores
+	$(Q)python3 -m lab pages
+
+truth-setup: ## installs POV-Ray (apt), which `make truth` needs
+	@sh sim/setup.sh povray
 
 papers-setup: ## installs Valgrind (apt), with which `make papers` counts the model's instructions
 	@sh sim/setup.sh valgrind

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 #   python3 -m lab faults run NAME    one fault of tests/faults; --help
-#   make campaign                  what is not run yet, and the tables of docs/results/mutants.md
+#   make campaign                  what is not run yet, and the tables of verification.md
 #   make campaign FAULTS=10000     more of them, SEED=2 others
-#   make campaign ENGINE=slurm     on a cluster: docs/guide/cluster.md
+#   make campaign ENGINE=slurm     on a cluster: docs/guide/simulation.md
 #   make campaign-c MINUTES=60     the same in the C model
 
 .PHONY: mutants hard-rtl common-mode twins campaign campaign-c coverage
@@ -37,7 +37,7 @@ campaign_one = python3 -m lab mutants plan $B $(FAULTS) $(SEED) $(1) $B/mutants/
 
 campaign: $(LIB) $(TOOL) $B/test/libhard.a ## faults by Yosys in every module, and what notices them
 	@mkdir -p $B/mutants
-	@sh tb/run_bench.sh --tools && sh sim/core.sh --help >$B/mutants/harness.log
+	@BENCH_BUILD=$B python3 -m lab benches --tools && sh sim/core.sh --help >$B/mutants/harness.log
 	$(Q)$(foreach n,$(campaign_lists),$(call campaign_one,$n) &&) true
 	@python3 -m lab mutants tell $B $(FAULTS) $(SEED)
 
@@ -51,5 +51,5 @@ campaign-c: $(LIB) $(campaign_suite) $B/test/hard ## faults in the model, and wh
 
 # Branches and bits that the benches of small modules meet.
 coverage: $(LIB) $B/test/libhard.a ## branches and bits of small modules that their benches meet
-	@sh tb/run_bench.sh --tools
+	@BENCH_BUILD=$B python3 -m lab benches --tools
 	$(Q)python3 -m lab coverage $B

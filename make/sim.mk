@@ -28,6 +28,10 @@ repeated = make sim $(call values,$(filter-out V CSV,$(CHECK)))
 render: $(TOOL) ## SCENE through the golden model: picture, counters
 	$(Q)$(call run,render,$(MACHINE_KEY))
 
+price: $(TOOL) $(if $(filter 1,$(RTL)),$B/sim/pictures) ## what accuracy of SCENE costs; MORE=1
+	$(Q)$(call values,B MORE RTL LATENCY SEED DEPTH ACCEL SCENE SIZE ERROR) $(call run,price,\
+	    $(MACHINE_KEY) MORE RTL LATENCY)
+
 PICTURES := $B/sim/pictures
 $(PICTURES): $B/obj/sim/pictures.o $(call objects,obj/,$(IMAGE_C) $(LAZY_C)) $(LIB)
 	$(call say,LD,$(@F))

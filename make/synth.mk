@@ -10,7 +10,7 @@
 #   make synth EFFECTS=shadow+lights1   a core with just these: names of sim/cores.py
 #   make synth EFFECTS=all-reflect      everything but this one
 #   make synth ACCEL=bih                all+bih: the core that walks a BIH; box4: all+boxes
-#   make area                           the tables of docs/results/area.md
+#   make area                           the tables of docs/results/speed_and_area.md
 # What was synthesised before is taken from build/synth/KEY/ as long as its sources are the same;
 # build/synth/report.md and report.json hold the tables of the last call.
 
@@ -30,5 +30,5 @@ synth: $(if $(SYNTH_SCENE),$(TOOL)) ## area with Yosys: PROFILE and TARGET, or a
 	    ROOT_STEP=$(ROOT_STEP) QUOTIENT_STEP=$(QUOTIENT_STEP) \
 	    SIZES='$(SIZES)'
 
-area: ## the tables of docs/results/area.md, made anew: 16 minutes of a processor
+area: ## the tables of docs/results/speed_and_area.md, made anew: 16 minutes of a processor
 	+$(Q)$(MAKE) --no-print-directory -f make/area.mk page B=$B V=$(V)

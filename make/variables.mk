@@ -103,6 +103,10 @@ WARM ?= 0
 LITERAL ?= 0
 ## WAVES 0|1 if 1, write a waveform
 WAVES ?= 0
+## MORE 0|1@price if 1, make price has a row for each single knob that pays
+MORE ?= 0
+## RTL 0|1@price if 1, make price measures clocks on the RTL, a minute a core
+RTL ?= 0
 ## CSV <text>| file to which make sim appends a row of what it counted
 CSV ?=
 ## TARGET ecp5|xc7|generic|all of make synth
@@ -115,7 +119,7 @@ RESULTS ?= $B/study/results
 ROUTE ?= 0
 ## SEEDS <words> of it: SPEED-SEED each
 SEEDS ?= 8-1 8-2 8-3 8-4 8-5 6-1
-## BLOCK <word>| of make clock-budget: this module alone
+## BLOCK <words>| of make clock-budget: these modules alone
 BLOCK ?=
 ## SEEDS_CORE <word> of it: the core, as synth/core.sh has it
 SEEDS_CORE ?= standard-ecp5-shadow+reflect2+lights3+inside-engines1

@@ -1,7 +1,7 @@
 # verilated.mk - how C++ that Verilator wrote is compiled, for cores and benches of blocks
 # SPDX-License-Identifier: Apache-2.0
 #
-# Included by core.mk; by itself called by tb/run_bench.sh, under the lock of core.mk's tools:
+# Included by core.mk; by itself called by lab/benches, under the lock of core.mk's tools:
 #   bench-tools  build/sim/obj/compile-OPT, the command that compiles, and all that it needs;
 #                Verilator's library as build/sim/obj/bench_*.o; build/sim/obj/versions, of all
 

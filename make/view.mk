@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 #   make view-setup            installs SDL2, and makes the tool
-#   make view-time             how soon it answers, and pictures a second: docs/guide/view.md
+#   make view-time             how soon it answers, and pictures a second: docs/reference/tool.md
 # $B/sphaera_view.so is what the tool loads for it: cmodel/view/screen.h.
 
 .PHONY: view-setup view-time

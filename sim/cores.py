@@ -1,7 +1,7 @@
 #!/usr/bin/python3 -ES
 # cores.py - parameters of a core from words: its profile, what it can do, its sizes, its name
 # SPDX-License-Identifier: Apache-2.0
-"""usage: sim/cores.py parameters LIST | --names [all|counted] | --table | --help
+"""usage: sim/cores.py parameters LIST | --names [all|counted] | --help
        sim/cores.py profile PROFILE [name]
        sim/cores.py sizes LIST [name]
        sim/cores.py legal NAME=NUMBER...
@@ -32,7 +32,7 @@ import definition
 import variables
 from words import Wrong, nearest
 
-DEFINITION = definition.Definition()
+DEFINITION = definition.read()
 # of make, with what rt_core has by itself, and the word for it in the name of a core
 OWN = {"ENGINES": ("1", None), "PIPES": ("1", "pipes"), "LEAF_UNITS": ("0", "leaf_units"),
        "SHADES": ("0", "shades"), "ROOT_STEP": ("2", "root"), "QUOTIENT_STEP": ("2", "quotient")}
@@ -144,11 +144,6 @@ def list_words(which):
             if (e.all if which == "all" else e.most > 1 if which == "counted" else True)]
 
 
-def table():
-    return ["\t".join([e.name, e.core, e.bit or "", str(e.most), str(e.all), ",".join(e.needs),
-                       ",".join(e.excludes), e.about]) for e in DEFINITION.effects.values()]
-
-
 def told():
     return ["all, all-NAME (all but one), none, or words joined by +, with a count:"] + [
         f"  {counted(e):<16} {e.about}" + (f"; needs {' and '.join(e.needs)}" if e.needs else "")
@@ -193,16 +188,20 @@ def legal(given):
     values.update((size.name, int(size.standard)) for size in DEFINITION.sizes.values())
     values.update(given)
     names = {}      # of a unit, the first parameter of its expression
-    shown = dict(values)
+    shown = {name: f"{name}={number}" for name, number in values.items()}
     for unit, expression in DEFINITION.units.items():
-        names[unit] = re.search("[A-Z_]+", expression)[0]
+        name, *others = dict.fromkeys(re.findall("[A-Z][A-Z_]+", expression))
+        names[unit] = name
         values[unit] = definition.value(expression, values)
+        if not values[name]:
+            shown[name] += f", which is {values[unit]} for " + \
+                " ".join(shown[n] for n in others if n in given)
     bad = []
     for rule, expression in DEFINITION.rules.items():
         if not definition.value(expression, values):
             about = dict.fromkeys(names.get(n, n) for n in re.findall("[A-Z][A-Z_]*", expression))
             said = re.sub("([a-z0-9])_", r"\1 ", re.sub("_([a-z0-9])", r" \1", rule))
-            bad.append(" ".join(f"{n}={shown[n]}" for n in about) + ": " + said)
+            bad.append(" ".join(shown[n] for n in about) + ": " + said)
     if bad:
         raise Wrong("\n".join(bad))
 
@@ -242,7 +241,7 @@ def main(command="", *words):
         widths, pace = profile(first)
         return [name_of_profile(first) if more else " ".join([joined(widths), *pace])]
     if command == "parameters" and words:
-        listed = {"--names": lambda: list_words(more), "--table": table, "--help": told}
+        listed = {"--names": lambda: list_words(more), "--help": told}
         return listed[first]() if first in listed else [joined(parameters(first))]
     raise Wrong(__doc__.partition("\n\n")[0])
 

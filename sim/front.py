@@ -44,7 +44,15 @@ def pixel(value):
     sides = re.fullmatch("([0-9]+)x([0-9]+)", size)
     outside = sides and any(int(at) >= int(side) for at, side in zip(value.split(","),
                                                                      sides.groups()))
-    return f"is not inside SIZE={size}" if outside and samples in ("0", "1") else ""
+    if outside and samples in ("0", "1"):
+        return f"is not inside SIZE={size}"
+    of = os.environ.get("WINDOW", "")
+    if samples.isdecimal() and of and not window(of):
+        left, top, right, bottom = (int(side) * max(1, int(samples)) for side in of.split(","))
+        x, y = map(int, value.split(","))
+        if not (left <= x < right and top <= y < bottom):
+            return f"is not inside WINDOW={of}"
+    return ""
 
 
 def size_of(value):

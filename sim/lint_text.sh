@@ -6,7 +6,7 @@ cd "$(dirname "$0")/.." || exit 1
 sources=$(find Makefile .ci make cmodel driver examples lab rtl formal python tb sim synth tests \
     -type f \( \
     -name Makefile -o -name run -o -name '*.c' -o -name '*.h' -o -name '*.cpp' -o -name '*.v' \
-    -o -name '*.vh' -o -name '*.vlt' -o -name '*.sh' -o -name '*.mk' -o -name '*.awk' \
+    -o -name '*.vh' -o -name '*.vlt' -o -name '*.sh' -o -name '*.mk' \
     -o -name '*.py' -o -name '*.ys' -o -name '*.def' -o -name '*.txt' -o -name '*.lib' \
     -o -name '*.smt2' \))
 generated='/(rt_(layout|modes|bundles|top|core_rules)\.vh|'
@@ -40,7 +40,7 @@ report() { # title, findings
         ! -name rt_top.v -exec awk '
         FNR == 1 { ports = 0 }
         /^    (input|output) / && ++ports == 41 { print FILENAME }' {} +)"
-    report "fields of a bundle beside a port" "$(sh sim/bundles.sh --check)"
+    report "fields of a bundle beside a port" "$(python3 -m lab layout --check-ports)"
     report "rt_engine only wires, in fewer than 200 lines" "$(awk '
         FNR == 200 || /^ *(always|initial|reg|function)/ { print FILENAME ":" FNR }' \
         rtl/engine/rt_engine.v)"

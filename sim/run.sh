@@ -1,8 +1,8 @@
 #!/bin/sh
-# run.sh - one run of `make render`, `make sim` or `make synth`, in a folder of its own
+# run.sh - one run of `make render`, `sim`, `price` or `synth`, in a folder of its own
 # SPDX-License-Identifier: Apache-2.0
 #
-# usage: NAME=value ... sim/run.sh [--folder] render|sim|core NAME...
+# usage: NAME=value ... sim/run.sh [--folder] render|sim|price|core NAME...
 #   NAME...  variables that shape the run; among them SCENE as sim/scene.py takes it, SEED and
 #            BUILD_OPTIONS, of `sphaera build`, and for sim those of sim/core.sh and its options
 # Also reads PROFILE, SIZE, SAMPLES; BUILD, the build folder, with the tool in it; CSV, a file to
@@ -10,7 +10,8 @@
 #
 # The folder BUILD/out/SCENE-PROFILE-SIZE-DIGEST has these variables in its file key, and what the
 # goal leaves: scene.sph and build.json; of render model.png, model.frame, model.json; of sim
-# pictures, frames, report.json, report.html and log. `core` prints profile and core that the
+# pictures, frames, report.json, report.html and log; of price price.json, price.html and price.svg.
+# `core` prints profile and core that the
 # machine asks for.
 # Everything is made anew each time, under a lock; BUILD/out/last is the folder of the last run.
 # With --folder the name of the folder is printed, and nothing made.
@@ -64,6 +65,14 @@ if [ ! -f "$scene" ]; then
     "$tool" gen "$scene" --seed "$SEED" -o "$made" >"$run/gen.log"
     scene=$made
 fi
+if [ "$goal" = price ]; then
+    [ "$MORE" = 0 ] || set -- --more
+    [ "$MORE" = 1 ] || set --
+    # shellcheck disable=SC2086  # a list of words on purpose
+    "$tool" price "$scene" $BUILD_OPTIONS "$@" --json "$run/price.json" >"$run/price.log"
+    BUILD=$BUILD python3 -m lab price "$run" "$scene" || exit 1
+    exit
+fi
 # shellcheck disable=SC2086  # a list of words on purpose
 "$tool" build "$scene" $BUILD_OPTIONS --json "$run/build.json" -o "$run/scene.sph" >"$run/build.log"
 case $goal in
@@ -99,6 +108,12 @@ cat "$run/log"
 [ -f "$run/rtl.frame" ] || exit "$rc"
 "$BUILD/sim/pictures" "$run/model.frame" "$run/rtl.frame" "$run" "$SAMPLES"
 printf '%s\n' "${REPEATED:-}" >"$run/command"
+# What other profiles would cost, for the report, of a scene that is built at once.
+if [ -n "$(find "$run/scene.sph" -size -256k)" ]; then
+    # shellcheck disable=SC2086  # a list of words on purpose
+    "$tool" price "$scene" $BUILD_OPTIONS --profile auto --pixels 8192 --json "$run/price.json" \
+        >"$run/price.log" 2>&1 || find "$run" -name price.json -delete
+fi
 # A mismatch: its pixel alone once more, with a waveform, which the report links.
 repeat=$(sed -n 's/^repeat: //p' "$run/log")
 if [ "$rc" = 1 ] && [ "$SIM" = verilator ] && [ -n "$repeat" ]; then

@@ -24,15 +24,16 @@ def edits(a, b):
 
 
 def nearest(word, words):
-    """The one of them with the fewest edits, whether large or small; "" if it is more than a third
-    of the word and one. Of a name with folders the last part alone may match."""
-    found, least = "", len(word) / 3 + 1.5
+    """The one of them with the fewest edits, whether large or small; "" if these are more than one
+    and more than a third of the word, or half of both words. Of a name with folders the last part
+    alone may match."""
+    found, least = "", len(word)
     for other in words:
-        e = edits(word.lower(), other.lower())
-        tail = edits(word.lower(), other.rpartition("/")[2].lower())
-        e = min(e, tail + 0.5) if tail < e else e
-        if e < least or (e == least and not found):
-            found, least = other, e
+        for text, more in (other, 0), (other.rpartition("/")[2], 0.5):
+            e = edits(word.lower(), text.lower())
+            if e <= max(1, len(word) / 3) and 2 * e < max(len(word), len(text)) \
+                    and e + more < least:
+                found, least = other, e + more
     return found
 
 

@@ -1,5 +1,5 @@
 #!/bin/sh
-# place.sh - places and routes a synthesised core for ECP5 between registers (placed.awk)
+# place.sh - places and routes a synthesised core for ECP5 between registers
 # SPDX-License-Identifier: Apache-2.0
 #
 # usage: [BUILD=build] [ROUTE=0] [SEED=1] [SPEED=8] [LIMIT=seconds] [SDF=1] \
@@ -31,7 +31,7 @@ else
     exit 3
 fi
 
-awk -f synth/placed.awk "$core/netlist.il" >"$out/placed.v"
+python3 -m lab placed-between "$core/netlist.il" >"$out/placed.v"
 # The core is mapped already; around it there are registers and their exclusive ors.
 yosys -q -l "$out/yosys.log" -p "read_rtlil $core/netlist.il; read_verilog $out/placed.v
     hierarchy -check -top placed; proc; flatten; opt_clean -purge

@@ -1,7 +1,7 @@
 /* bench.h - what the block benches share: random numbers, ports of any width, mismatches, TAP
  * SPDX-License-Identifier: Apache-2.0
  *
- * A bench is built by tb/run_bench.sh, which passes each parameter of the module as a macro of the
+ * A bench is built by lab/benches, which passes each parameter of the module as a macro of the
  * same name (-DW=16) and the profile as PROFILE ("standard").
  *
  *     bench::Bench<Vrt_unit> b("tb_unit", argc, argv);     // [seed [vectors]]
@@ -346,7 +346,7 @@ template <class Top> class Bench {
 
     void repeat() const {
         const char *alone = getenv("HARD_CASE"); /* tb/hard.h */
-        printf("# repeat: %s%s%ssh tb/run_bench.sh %s/%s %llu %ld\n", alone ? "HARD_CASE=" : "",
+        printf("# repeat: %s%s%spython3 -m lab benches %s/%s %llu %ld\n", alone ? "HARD_CASE=" : "",
                alone ? alone : "", alone ? " " : "", title, PROFILE, (unsigned long long)seed,
                target);
     }

@@ -1,4 +1,4 @@
-/* bundles.h - generated from bundles.def by sim/bundles.awk; do not edit
+/* bundles.h - generated from bundles.def by make layout; do not edit
  * SPDX-License-Identifier: Apache-2.0
  * The arguments low bit, bits of bench::put() and bench::get() for each field. */
 #ifndef SPH_BUNDLES_H

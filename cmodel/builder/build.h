@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * Borodavka et al. IV (tree), V (background separation); docs/design/builder.md,
- * docs/results/background.md.
+ * docs/results/effects.md.
  */
 #ifndef SPH_BUILD_H
 #define SPH_BUILD_H
@@ -22,6 +22,14 @@
 enum { SPH_BG_NONE = 0, SPH_BG_RECT = 1, SPH_BG_SPANS = 2, SPH_BG_EXACT = 3 };
 enum { SPH_BUILD_NEAREST = 0, SPH_BUILD_FIRST = 1 };
 enum { SPH_AUTO = -1, SPH_OFF = 0, SPH_ON = 1 }; /* auto: as the scene calls for */
+
+/* What rays of the frame do not meet, as a drawing of it has shown: trial/met.h. */
+struct sph_unmet {
+    const uint8_t *prims; /* 1: no ray asks what the surface looks like; by number in the scene */
+    uint32_t lights;      /* bit l: light l of the scene lights nothing; it is black there */
+    int shadow;           /* nothing stands between a light and what it lights */
+    int inside;           /* no ray starts in a sphere */
+};
 
 struct sph_build_options {
     const struct sph_profile *widths; /* NULL: those of `profile` */
@@ -58,6 +66,7 @@ struct sph_build_options {
     int later;                       /* of a sequence, not the first: nothing is measured to be told
                                         alone, so that planes_cut and its warning are left out */
     const struct sph_progress *progress; /* NULL, or who is told how far it is */
+    const struct sph_unmet *unmet;       /* NULL: rays may meet all that the scene names */
     uint32_t *numbers; /* NULL, or where the number in the scene of each of the machine's primitives
                           goes: spheres, then facets; as many words as the scene has */
 };
@@ -75,7 +84,7 @@ enum { SPH_BUILD_SHARED = 1000 }; /* primitives from which on threads share a bu
         .asked = {SPH_EACH_EFFECT(SPH_BUILD_ASKED)}, .tex_filter = SPH_FILTER_BETWEEN              \
     }
 
-/* A leaf of no more is not cut if nothing else is asked for: docs/results/scenarios.md has what it
+/* A leaf of no more is not cut if nothing else is asked for: docs/results/trees.md has what it
  * costs.
  */
 enum { SPH_BIH_PRIMS = 4 };
@@ -89,6 +98,7 @@ static inline const struct sph_profile *sph_build_profile(const struct sph_build
 struct sph_effect_report {
     const char *name;
     int on, called; /* lights, reflections, or 0 and 1: in the machine; called for by the scene */
+    int left_out;   /* the scene names what calls for it, but no ray of the frame meets that */
     char why[2048]; /* names the material, light or spheres; no line ends */
 };
 
@@ -99,7 +109,7 @@ struct sph_build_report {
     double fov_error;       /* of tan(angle/2), relative; and by how much of their distance from
                                the middle of the picture an eye put nearer moves points */
     struct sph_eye eye;     /* where it is put */
-    uint32_t nodes, depth;  /* of the tree */
+    uint32_t nodes, depth;  /* of the tree: how many, on how many levels */
     char tree_why[64];      /* empty if it was asked for */
     int refitted;           /* the tree is that of the frame before, in new places */
     double tree_cost;       /* then: its cost over that of the tree when it was built; else 1 */
@@ -116,6 +126,7 @@ struct sph_build_report {
     uint64_t bases_computed, bases_kept; /* P_b of textured primitives */
     struct sph_flops bases_flops;        /* of those computed */
     struct sph_effect_report effects[SPH_REPORTS];
+    char left_out[2048]; /* what else the frame does not ask for, one line each (trial/met.h) */
     int lights[SPH_MAX_LIGHTS]; /* number in the scene of each light of the machine */
 };
 

@@ -21,13 +21,13 @@ struct stream {
     int bad;
 };
 
-static void put(struct stream *s, uint64_t value, int bytes) {
+static void write_bytes(struct stream *s, uint64_t value, int bytes) {
     for (int i = 0; i < bytes; i++)
         if (putc((int)(value >> 8 * i & 255), s->file) == EOF) s->bad = 1;
     s->hash = sph_fnv(s->hash, value, bytes);
 }
 
-static uint64_t get(struct stream *s, int bytes) {
+static uint64_t read_bytes(struct stream *s, int bytes) {
     uint64_t value = 0;
     for (int i = 0; i < bytes; i++) {
         int c = getc(s->file);
@@ -44,24 +44,24 @@ int sph_shot_write(const struct sph_shot *shot, const char *path, struct sph_err
     struct stream s = {out.file, SPH_FNV_START, 0};
     const struct sph_frame *f = &shot->frame;
     for (size_t i = 0; i < sizeof magic; i++)
-        put(&s, (uint64_t)magic[i], 1);
+        write_bytes(&s, (uint64_t)magic[i], 1);
     const uint32_t head[] = {VERSION,    (uint32_t)f->width, (uint32_t)f->height,
                              SPH_FRAMES, SPH_COUNTERS,       shot->errors};
     for (size_t i = 0; i < sizeof head / sizeof *head; i++)
-        put(&s, head[i], 4);
+        write_bytes(&s, head[i], 4);
     for (int i = 0; i < SPH_COUNTERS; i++)
-        put(&s, shot->counters.count[i], 8);
+        write_bytes(&s, shot->counters.count[i], 8);
     size_t n = (size_t)f->width * (size_t)f->height;
     for (size_t i = 0; i < n; i++) {
         const struct sph_pixel *p = &f->pixels[i];
         for (int j = 0; j < SPH_FRAMES; j++)
-            put(&s, p->colour[j], 4);
-        put(&s, p->id, 4);
-        put(&s, p->visits, 4);
-        put(&s, p->texture, 4);
-        put(&s, p->key, 8);
+            write_bytes(&s, p->colour[j], 4);
+        write_bytes(&s, p->id, 4);
+        write_bytes(&s, p->visits, 4);
+        write_bytes(&s, p->texture, 4);
+        write_bytes(&s, p->key, 8);
     }
-    put(&s, s.hash, 8);
+    write_bytes(&s, s.hash, 8);
     return sph_output_close(&out, 0, err);
 }
 
@@ -80,13 +80,13 @@ static int read_head(struct stream *s, const char *path, struct sph_shot *shot,
                      struct sph_error *err) {
     char found[sizeof magic];
     for (size_t i = 0; i < sizeof magic; i++)
-        found[i] = (char)get(s, 1);
+        found[i] = (char)read_bytes(s, 1);
     if (s->bad || memcmp(found, magic, sizeof magic))
         return sph_fail(err, "%s: not a frame file", path);
-    uint32_t version = (uint32_t)get(s, 4), width = (uint32_t)get(s, 4);
-    uint32_t height = (uint32_t)get(s, 4), frames = (uint32_t)get(s, 4);
-    uint32_t counters = (uint32_t)get(s, 4);
-    shot->errors = (uint32_t)get(s, 4);
+    uint32_t version = (uint32_t)read_bytes(s, 4), width = (uint32_t)read_bytes(s, 4);
+    uint32_t height = (uint32_t)read_bytes(s, 4), frames = (uint32_t)read_bytes(s, 4);
+    uint32_t counters = (uint32_t)read_bytes(s, 4);
+    shot->errors = (uint32_t)read_bytes(s, 4);
     if (s->bad) return sph_fail(err, "%s: frame file ends in its header", path);
     if (version != VERSION || frames != SPH_FRAMES || counters != SPH_COUNTERS)
         return sph_fail(err, "%s: frame file of version %u with %u frames and %u counters", path,
@@ -102,21 +102,21 @@ static int read_all(struct stream *s, const char *path, struct sph_shot *shot,
                     struct sph_error *err) {
     if (read_head(s, path, shot, err)) return -1;
     for (int i = 0; i < SPH_COUNTERS; i++)
-        shot->counters.count[i] = get(s, 8);
+        shot->counters.count[i] = read_bytes(s, 8);
     size_t n = (size_t)shot->frame.width * (size_t)shot->frame.height;
     shot->frame.pixels = calloc(n, sizeof *shot->frame.pixels);
     if (!shot->frame.pixels) return sph_fail(err, "%s: no memory for the frame", path);
     for (size_t i = 0; i < n && !s->bad; i++) {
         struct sph_pixel *p = &shot->frame.pixels[i];
         for (int j = 0; j < SPH_FRAMES; j++)
-            p->colour[j] = (uint32_t)get(s, 4);
-        p->id = (uint32_t)get(s, 4);
-        p->visits = (uint32_t)get(s, 4);
-        p->texture = (uint32_t)get(s, 4);
-        p->key = get(s, 8);
+            p->colour[j] = (uint32_t)read_bytes(s, 4);
+        p->id = (uint32_t)read_bytes(s, 4);
+        p->visits = (uint32_t)read_bytes(s, 4);
+        p->texture = (uint32_t)read_bytes(s, 4);
+        p->key = read_bytes(s, 8);
     }
     uint64_t hash = s->hash;
-    if (get(s, 8) != hash && !s->bad)
+    if (read_bytes(s, 8) != hash && !s->bad)
         return sph_fail(err, "%s: frame file is damaged (checksum)", path);
     if (s->bad) return sph_fail(err, "%s: frame file ends early", path);
     return 0;

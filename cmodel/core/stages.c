@@ -25,7 +25,8 @@ void sph_stages_note(struct sph_stages *s, int stage, uint32_t number, const sph
     if (stage == SPH_STAGE_HIGHLIGHT) number = s->light - 1;
     int visited = stage >= SPH_STAGE_NODE && stage <= SPH_STAGE_KEY;
     struct sph_stage_line *line = &s->lines[s->n++];
-    *line = (struct sph_stage_line){s->ray, s->kind, stage, visited ? s->visit : 0, number, {0}};
+    *line = (struct sph_stage_line){s->ray, s->kind,  stage, visited ? s->visit : 0,
+                                    number, s->clock, {0}};
     if (stage >= SPH_STAGE_QUOTIENT) line->ray = s->at, line->kind = s->at_kind;
     if (stage == SPH_STAGE_PIXEL) line->ray = INT_MAX;
     for (size_t i = 0; i < n; i++)

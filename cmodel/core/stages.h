@@ -51,6 +51,7 @@ struct sph_stage_line {
     int ray, kind, stage;           /* of the pixel itself ray is INT_MAX */
     uint32_t visit;                 /* of the ray, from 1; 0 but for NODE to KEY */
     uint32_t number;                /* of child, primitive, texel or light */
+    uint32_t clock;                 /* of the core, since the pixel came; 0 in the model */
     sph_u128 word[SPH_STAGE_WORDS]; /* the low bits of each count */
 };
 
@@ -63,6 +64,7 @@ struct sph_stages {
     int ray, kind;   /* the latest */
     int at, at_kind; /* the latest that is no shadow ray: whose surface it is */
     uint32_t visit, child, texel, light;
+    uint32_t clock; /* what a line gets; the bench of the core counts it */
 };
 
 /* A ray begins, with the line RAY; what it hits, with the line HIT. */

@@ -155,8 +155,8 @@ static int width(const char *text, const struct sph_profile *p) {
     return sum;
 }
 
-static void put(char *text, const char *format, ...) __attribute__((format(printf, 2, 3)));
-static void put(char *text, const char *format, ...) {
+static void append(char *text, const char *format, ...) __attribute__((format(printf, 2, 3)));
+static void append(char *text, const char *format, ...) {
     size_t used = strlen(text);
     va_list ap;
     va_start(ap, format);
@@ -183,23 +183,23 @@ static double real(const struct sph_machine *m, const struct field *f, sph_u128 
 }
 
 static void digits(char *text, sph_u128 word, int bits) {
-    put(text, "0x");
+    append(text, "0x");
     for (int at = (bits - 1) / 4; at >= 0; at--)
-        put(text, "%x", (unsigned)(low(word, bits) >> 4 * at & 15));
+        append(text, "%x", (unsigned)(low(word, bits) >> 4 * at & 15));
 }
 
 static void number(const struct sph_machine *m, const struct field *f, const sph_u128 *word,
                    char *text) {
     int bits = width(f->bits, sph_machine_profile(m));
     if (f->kind == COUNT) {
-        put(text, "%" PRIu64, (uint64_t)low(*word, bits));
+        append(text, "%" PRIu64, (uint64_t)low(*word, bits));
         return;
     }
     digits(text, *word, bits);
     if (f->kind == HEX) return;
     double value = real(m, f, *word, bits);
     if (f->kind == T) value = ldexp(value, -(int8_t)word[1]);
-    put(text, " (=%.6g)", value);
+    append(text, " (=%.6g)", value);
 }
 
 void sph_stages_text(const struct sph_machine *m, const struct sph_stage_line *line,
@@ -207,15 +207,15 @@ void sph_stages_text(const struct sph_machine *m, const struct sph_stage_line *l
     static const char *const kinds[] = {"primary", "shadow", "reflected", "refracted"};
     const sph_u128 *word = line->word;
     *text = 0;
-    if (line->ray < INT_MAX) put(text, "ray %d %s | ", line->ray, kinds[line->kind]);
-    put(text, "%s", table[line->stage].name);
-    if (line->visit) put(text, " visit %u", line->visit);
-    if (table[line->stage].number) put(text, " %s %u", table[line->stage].number, line->number);
+    if (line->ray < INT_MAX) append(text, "ray %d %s | ", line->ray, kinds[line->kind]);
+    append(text, "%s", table[line->stage].name);
+    if (line->visit) append(text, " visit %u", line->visit);
+    if (table[line->stage].number) append(text, " %s %u", table[line->stage].number, line->number);
     for (int i = 0; i < FIELDS && table[line->stage].field[i].name; i++) {
         const struct field *f = &table[line->stage].field[i];
-        put(text, "  %s ", f->name);
+        append(text, "  %s ", f->name);
         for (int k = 0; k < f->count; k++) {
-            if (k) put(text, ", ");
+            if (k) append(text, ", ");
             number(m, f, word++, text);
         }
     }

@@ -28,6 +28,7 @@ struct sph_hit sph_job_trace(const struct sph_job *j, const struct sph_ray *ray)
                              ? sph_tracer_of(j->fast)->trace(j->fast, ray, j->c, visits, j->errors)
                              : sph_traverse(j->m, ray, j->how, j->c, visits, j->errors);
     if (j->stages) sph_stages_end(j->stages, ray, &hit);
+    if (j->met && hit.fars) sph_met_add(&j->met->inside, 1);
     if (j->log) sph_ray_log_add(j->log, ray, hit, j->pixel->visits - before);
     return hit;
 }
@@ -73,7 +74,11 @@ void sph_job_light(const struct sph_job *j, const struct sph_ray *ray, const str
         SPH_NOTE(j->stages, SPH_STAGE_LIGHT, 0, SPH_THREE(to.dir), (sph_i128)to.a,
                  SPH_THREE(to.unit.u), cosine);
         if (!cosine) continue;
-        int blocked = sph_machine_effect(j->m, SPH_EFFECT_SHADOW) && sph_job_trace(j, &to).key;
+        struct sph_hit by = {0};
+        if (sph_machine_effect(j->m, SPH_EFFECT_SHADOW)) by = sph_job_trace(j, &to);
+        int blocked = by.key != 0;
+        if (j->met) sph_met_add(blocked ? &j->met->blocked : &j->met->lit, 1u << l);
+        if (j->met && blocked) sph_met_add(&j->met->prims[by.id], 1u << l);
         if (trail) trail->faced |= 1u << l, trail->blocked |= (uint32_t)blocked << l;
         if (!blocked) add(j, ray, &to, s, shading, cosine, lamp + 3, &sums);
     }

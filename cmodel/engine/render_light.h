@@ -5,6 +5,7 @@
 #define SPH_RENDER_LIGHT_H
 
 #include "core/frame.h"
+#include "core/met.h"
 #include "core/ray_log.h"
 #include "core/stages.h"
 #include "core/tracer.h"
@@ -26,6 +27,7 @@ struct sph_job {
     struct sph_ray_log *log;     /* may be NULL */
     struct sph_stages *stages;   /* may be NULL */
     const struct sph_fast *fast; /* NULL: literally */
+    struct sph_met *met;         /* may be NULL */
 };
 
 /* sph_ray_setup() */

@@ -22,9 +22,14 @@ static const struct sph_trail no_trail = {.reflected_id = SPH_ID_NONE, .refracte
 static const uint32_t *prim_line(const struct sph_job *j, const struct sph_hit *hit) {
     size_t line = (uint32_t)j->m->regs[SPH_REG_PRIM_BASE] + (size_t)hit->id;
     if (!hit->key) return NULL;
-    if (line < (uint32_t)j->m->regs[SPH_REG_MEM_LINES]) return sph_line(j->m, line);
-    *j->errors |= 1u << SPH_ERROR_BAD_NODE;
-    return NULL;
+    if (line >= (uint32_t)j->m->regs[SPH_REG_MEM_LINES]) {
+        *j->errors |= 1u << SPH_ERROR_BAD_NODE;
+        return NULL;
+    }
+    const uint32_t *prim = sph_line(j->m, line);
+    *j->errors |= sph_shading_left_out(prim) << SPH_ERROR_LEFT_OUT;
+    if (j->met) sph_met_add(&j->met->prims[hit->id], SPH_MET_SHADED);
+    return prim;
 }
 
 /* Point and normal, unless nothing will start at the point and no texture lies there. */
@@ -266,7 +271,8 @@ struct sph_pixel sph_render_pixel(const struct sph_machine *m, const struct sph_
                         c,           &pixel,
                         errors,      &texture,
                         trail,       o->log,
-                        o->stages,   o->fast};
+                        o->stages,   o->fast,
+                        o->met};
     if (path(&j, primary(&j, x, y, first))) path(&j, primary(&j, x, y, 0));
     c->count[SPH_COUNT_TEXELS] += texture.texels;
     *errors |= texture.errors;

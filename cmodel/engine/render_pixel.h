@@ -5,6 +5,7 @@
 #define SPH_RENDER_PIXEL_H
 
 #include "core/frame.h"
+#include "core/met.h"
 #include "core/ray_log.h"
 #include "core/stages.h"
 #include "core/tracer.h"
@@ -27,10 +28,11 @@ struct sph_render_options {
     /* may be NULL; every ray, with one thread: of one pixel they are a tree */
     struct sph_ray_log *log;
     struct sph_stages *stages; /* the same: of one pixel, by the literal walk */
+    struct sph_met *met;       /* may be NULL; of a machine that is sound */
 };
 
-/* Renders pixel x, y; adds to *c and to the sticky *errors. Of the options traverse and fetch
- * count. trail may be NULL. */
+/* Renders pixel x, y; adds to *c and to the sticky *errors. Of the options traverse, fetch
+ * and met count. trail may be NULL. */
 struct sph_pixel sph_render_pixel(const struct sph_machine *m, const struct sph_render_options *o,
                                   int x, int y, struct sph_counters *c, uint32_t *errors,
                                   struct sph_trail *trail);

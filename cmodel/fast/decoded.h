@@ -45,7 +45,7 @@ struct sph_fast {
     struct sph_fast_leaf *leaves;
     struct sph_fast_triangle *triangles; /* of leaf records by number; NULL: all are unknown */
     uint32_t root, n_nodes, visit_limit;
-    int whole, clear; /* of the machine's effects, as sph_probe has them */
+    int whole, clear; /* of the machine's effects, as sph_ray_query has them */
     int no_root;      /* it, or what registers of a BIH name, does not lie in memory */
     struct sph_hit (*walk)(const struct sph_fast *, const struct sph_ray *, struct sph_counters *,
                            uint32_t *, uint32_t *);

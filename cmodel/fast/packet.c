@@ -66,13 +66,13 @@ struct sph_hit sph_packet_exact(const struct sph_fast *fast, const struct sph_bu
     struct sph_counters none = {{0}};
     uint32_t errors = 0;
     struct sph_ray ray = sph_bundle_ray(rays, i);
-    struct sph_probe probe = sph_fast_probe(fast, &ray, &none, &errors);
-    if (best >= 0) sph_fast_leaf_visit(&probe, &fast->leaves[best], fast->m->mem);
-    struct sph_hit before = probe.best;
-    sph_fast_leaf_visit(&probe, &fast->leaves[*leaf], fast->m->mem);
-    if (best >= 0 && before.key && before.key == probe.best.key && before.id == probe.best.id)
+    struct sph_ray_query query = sph_fast_ray_query(fast, &ray, &none, &errors);
+    if (best >= 0) sph_fast_leaf_visit(&query, &fast->leaves[best], fast->m->mem);
+    struct sph_hit before = query.best;
+    sph_fast_leaf_visit(&query, &fast->leaves[*leaf], fast->m->mem);
+    if (best >= 0 && before.key && before.key == query.best.key && before.id == query.best.id)
         *leaf = (uint32_t)best;
-    return probe.best;
+    return query.best;
 }
 
 struct sph_hit sph_packet_alone(const struct sph_fast *fast, const struct sph_bundle *rays, int i) {

@@ -42,11 +42,11 @@ static inline real_mask hit_word(real_mask leaf) {
 
 _Static_assert(sizeof(struct sph_hit) == 16 && offsetof(struct sph_hit, id) == 8, "two words");
 
-static inline real get(const double *at, int v) {
+static inline real load_vector(const double *at, int v) {
     return *(const real *)(const void *)(at + v * LANES);
 }
 
-static inline void put(double *at, int v, real x) {
+static inline void store_vector(double *at, int v, real x) {
     *(real *)(void *)(at + v * LANES) = x;
 }
 
@@ -131,7 +131,7 @@ static int shaft_of(struct packet *p, int axis, int back) {
     for (int v = 0; v < p->vectors; v++) {
         real along = dir(p, axis, v) * ahead, x = dir(p, other[0], v), y = dir(p, other[1], v);
         real per = (back ? -1 : 1) / along, m[2] = {x * per, y * per};
-        put(p->a, v, along * along + x * x + y * y);
+        store_vector(p->a, v, along * along + x * x + y * y);
         wrong |= along <= 0;
         for (int i = 0; i < 2; i++) {
             high[i] = greater(high[i], m[i]);

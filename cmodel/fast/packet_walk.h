@@ -76,15 +76,15 @@ static int nearer(struct packet *p, uint32_t number) {
     uint64_t changed = 0;
     for (int v = 0; v < p->vectors; v++) {
         real b = greater(dir(p, 0, v) * x + dir(p, 1, v) * y + dir(p, 2, v) * z, (real){0});
-        real bb = b * b, past = get(p->a, v) * beside;
+        real bb = b * b, past = load_vector(p->a, v) * beside;
         unsigned hit = bits(bb * (1 + DOUBT) > past);
         if (!hit) continue;
         real disc = bb - past, root = roots(disc), key = b - root;
-        real margin = b * 0x1p-22 + 4, best = get(p->b, v) - get(p->root, v);
+        real margin = b * 0x1p-22 + 4, best = load_vector(p->b, v) - load_vector(p->root, v);
         real_mask sure = disc > bb * DOUBT, first = sure & (key < best - margin);
         unsigned take = bits(first), leave = bits(sure & (key > best + margin));
-        put(p->b, v, pick(first, b, get(p->b, v)));
-        put(p->root, v, pick(first, root, get(p->root, v)));
+        store_vector(p->b, v, pick(first, b, load_vector(p->b, v)));
+        store_vector(p->root, v, pick(first, root, load_vector(p->root, v)));
         *leaves_at(p, v) = (real_mask)pick(first, mine, (real)*leaves_at(p, v));
         changed |= (uint64_t)take << v * LANES;
         p->exact &= ~((uint64_t)take << v * LANES);
@@ -102,8 +102,8 @@ static int32_t deepest(const struct packet *p) {
     const struct sph_shaft *h = &p->shaft;
     real most = {0};
     for (int v = 0; v < p->vectors; v++) {
-        real along = dir(p, h->axis, v), key = get(p->b, v) - get(p->root, v);
-        most = greater(most, greater(along, -along) * key / get(p->a, v));
+        real along = dir(p, h->axis, v), key = load_vector(p->b, v) - load_vector(p->root, v);
+        most = greater(most, greater(along, -along) * key / load_vector(p->a, v));
     }
     const struct sph_profile *w = sph_machine_profile(p->f->m);
     double s = greatest(most) / (double)(1 << (w->w - w->fw)) + 4; /* it starts less than 1 ahead */
@@ -113,8 +113,8 @@ static int32_t deepest(const struct packet *p) {
 static void begin(struct packet *p) {
     real_mask none = (real_mask){0} + leaf_word(0, SPH_ID_NONE);
     for (int v = 0; v < p->vectors; v++) {
-        put(p->b, v, (real){0} + 2 * NOTHING);
-        put(p->root, v, (real){0});
+        store_vector(p->b, v, (real){0} + 2 * NOTHING);
+        store_vector(p->root, v, (real){0});
         *leaves_at(p, v) = none;
     }
 }
@@ -144,7 +144,7 @@ static int nearest(struct packet *p) {
 /* Keys of what was found; what a double cannot tell, integers do. */
 static void keys_of(struct packet *p, struct sph_hit *hits) {
     for (int v = 0; v < p->vectors; v++) {
-        real b = get(p->b, v), root = get(p->root, v);
+        real b = load_vector(p->b, v), root = load_vector(p->root, v);
         real down = (root + 0x1p52) - 0x1p52, off = root - down, by = pick(root > 0, root, b);
         real error = b * b * 0x1p-50 + root * by * 0x1p-51;
         unsigned doubt = bits((off * by <= error) & (off * by >= -error));
@@ -167,10 +167,10 @@ static void hides(struct packet *p, uint32_t number) {
     double square = (double)leaf->rad * leaf->rad, id = leaf->id;
     for (int v = 0; v < p->vectors; v++) {
         real ox = x - org(p, 0, v), oy = y - org(p, 1, v), oz = z - org(p, 2, v);
-        real k = square - (ox * ox + oy * oy + oz * oz), a = get(p->a, v);
+        real k = square - (ox * ox + oy * oy + oz * oz), a = load_vector(p->a, v);
         real b = ox * dir(p, 0, v) + oy * dir(p, 1, v) + oz * dir(p, 2, v);
         real bb = b * b, disc = bb + a * k, doubt = bb * DOUBT;
-        real_mask other = get(p->own, v) != id;
+        real_mask other = load_vector(p->own, v) != id;
         real_mask meets_it =
             other & (k < 0) & (b > 0) & (disc > -doubt) & ((b < a) | (k + 2 * b - a > 0));
         unsigned hit = bits(meets_it & (disc > doubt)), slow = bits(meets_it) & ~hit;

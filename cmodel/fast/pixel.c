@@ -30,9 +30,13 @@ static struct sph_hit trace(const struct sph_fast_job *j, const struct sph_ray *
 const uint32_t *sph_fast_record(const struct sph_fast_job *j, const struct sph_hit *hit) {
     size_t line = (uint32_t)j->m->regs[SPH_REG_PRIM_BASE] + (size_t)hit->id;
     if (!hit->key) return NULL;
-    if (line < (uint32_t)j->m->regs[SPH_REG_MEM_LINES]) return sph_line(j->m, line);
-    *j->errors |= 1u << SPH_ERROR_BAD_NODE;
-    return NULL;
+    if (line >= (uint32_t)j->m->regs[SPH_REG_MEM_LINES]) {
+        *j->errors |= 1u << SPH_ERROR_BAD_NODE;
+        return NULL;
+    }
+    const uint32_t *prim = sph_line(j->m, line);
+    *j->errors |= sph_shading_left_out(prim) << SPH_ERROR_LEFT_OUT;
+    return prim;
 }
 
 uint32_t sph_fast_light(const struct sph_fast_job *j, const struct sph_surface *s, int light,

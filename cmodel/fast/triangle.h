@@ -53,16 +53,16 @@ static inline int sph_fast_ahead(const struct sph_profile *p, const struct sph_r
 }
 
 /* As sph_leaf_visit() of its record. */
-static inline void sph_fast_triangle_visit(struct sph_probe *probe,
+static inline void sph_fast_triangle_visit(struct sph_ray_query *query,
                                            const struct sph_fast_triangle *t) {
-    const struct sph_ray *ray = probe->ray;
+    const struct sph_ray *ray = query->ray;
     int64_t a0[3], e1[3], e2[3], m[3];
     for (int i = 0; i < 3; i++) {
         a0[i] = t->v[i] - ray->org[i];
         e1[i] = t->e1[i];
         e2[i] = t->e2[i];
     }
-    probe->c->count[SPH_COUNT_FACET_TESTS]++;
+    query->c->count[SPH_COUNT_FACET_TESTS]++;
     int64_t det = sph_fast_dot(t->n, ray->dir), sign = det >> 63;
     int64_t num = sph_fast_turned(sph_fast_dot(t->n, a0), sign);
     int64_t size = sph_fast_turned(det, sign);
@@ -75,11 +75,11 @@ static inline void sph_fast_triangle_visit(struct sph_probe *probe,
     if ((u0 | u1 | u2) < 0) return;
     uint32_t skip = ray->skip.id;
     if (skip + t->before >= t->id && skip <= t->id + t->after) return;
-    if (shadow && !sph_fast_ahead(probe->p, ray, t->n, sign, num)) return;
+    if (shadow && !sph_fast_ahead(query->p, ray, t->n, sign, num)) return;
     struct sph_facet_result r = {.det = (sph_u128)size, .num = num};
-    uint64_t *divisions = &probe->c->count[SPH_COUNT_DIVISIONS];
+    uint64_t *divisions = &query->c->count[SPH_COUNT_DIVISIONS];
     uint64_t key = shadow ? 1 : sph_facet_key(ray, &r, divisions);
-    struct sph_hit *best = &probe->best, hit = {key, t->id, det > 0, 0};
+    struct sph_hit *best = &query->best, hit = {key, t->id, det > 0, 0};
     sph_hit_count(best, &hit);
     if (!best->key || key < best->key || (key == best->key && t->id < best->id)) *best = hit;
 }

@@ -40,9 +40,9 @@ static inline const struct sph_fast_node *guessed(const struct sph_fast_node *ba
 
 static struct sph_hit walk(const struct sph_fast *f, const struct sph_ray *ray,
                            struct sph_counters *c, uint32_t *visits, uint32_t *errors) {
-    struct sph_probe probe = sph_fast_probe(f, ray, c, errors);
-    const struct sph_hit *best = &probe.best;
-    struct lanes lanes = lanes_of(probe.p, ray);
+    struct sph_ray_query query = sph_fast_ray_query(f, ray, c, errors);
+    const struct sph_hit *best = &query.best;
+    struct lanes lanes = lanes_of(query.p, ray);
     const struct sph_fast_node *n = f->nodes + f->root;
     struct group now, stack[SPH_STACK_DEPTH], *top = stack;
     int ends = sph_ray_any(ray);
@@ -65,12 +65,12 @@ static struct sph_hit walk(const struct sph_fast *f, const struct sph_ray *ray,
             do {
                 uint32_t leaf = n->leaf + ((unsigned)__builtin_ctz(leaves) >> 1);
                 leaf_tests += !f->leaves[leaf].record;
-                sph_fast_visit(&probe, f, leaf);
+                sph_fast_visit(&query, f, leaf);
                 leaves &= leaves - 1;
             } while (leaves);
             if (best->key != key_before) {
                 if (ends) break;
-                depth_max = depth_of(&lanes, probe.p, ray, best->key);
+                depth_max = depth_of(&lanes, query.p, ray, best->key);
                 deepest = near_of(depth_max);
                 limit_to(&lanes, depth_max);
             }

@@ -15,7 +15,7 @@ struct place {
 
 struct walk {
     const struct sph_fast *f;
-    struct sph_probe probe;
+    struct sph_ray_query query;
     struct sph_bih_ray bih;
     uint32_t limit, leaf_tests;
 };
@@ -25,7 +25,7 @@ static inline int cut(const struct walk *w, int axis, int64_t clip, int below,
                       struct sph_interval *span) {
     const struct sph_bih_axis *x = &w->bih.axis[axis];
     int v_shift = w->bih.v_shift;
-    int64_t v = clip - w->probe.ray->org[axis];
+    int64_t v = clip - w->query.ray->org[axis];
     if (x->zero) return below ? v >= 0 : v <= 0;
     if (x->negative) v = -v;
     if (below != x->negative) {
@@ -51,14 +51,14 @@ static inline int meets(const struct walk *w, int axis, int64_t clip, int below,
 /* Tests leaf records first .. end-1 in chunks; 0 if the ray ends with a hit. */
 static int leaf(struct walk *w, uint32_t first, uint32_t end) {
     while (first < end) {
-        uint32_t stop = (w->probe.whole ? first : first & ~1u) + SPH_BIH_CHUNK;
+        uint32_t stop = (w->query.whole ? first : first & ~1u) + SPH_BIH_CHUNK;
         for (; first < end && first < stop; first++) {
             w->leaf_tests += !w->f->leaves[first].record;
-            sph_fast_visit(&w->probe, w->f, first);
+            sph_fast_visit(&w->query, w->f, first);
         }
-        if (!w->probe.best.key) continue;
-        if (w->probe.ray->kind == SPH_SHADOW) return 0;
-        w->limit = sph_bih_time(&w->bih, w->probe.best.key);
+        if (!w->query.best.key) continue;
+        if (w->query.ray->kind == SPH_SHADOW) return 0;
+        w->limit = sph_bih_time(&w->bih, w->query.best.key);
     }
     return 1;
 }
@@ -79,7 +79,7 @@ static uint32_t visit(struct walk *w, struct place at, uint32_t *visited, uint64
     const int32_t *r = m->regs;
     uint32_t root = (uint32_t)r[SPH_REG_ROOT], lines = (uint32_t)r[SPH_REG_MEM_LINES];
     uint32_t prims = (uint32_t)r[SPH_REG_N_PRIMS];
-    int spare = 30 - w->probe.p->w; /* bits of a word above a plane's w + 2 */
+    int spare = 30 - w->query.p->w; /* bits of a word above a plane's w + 2 */
     struct place stack[SPH_BIH_STACK];
     int sp = 0;
     for (;;) {
@@ -133,15 +133,15 @@ static uint32_t visit(struct walk *w, struct place at, uint32_t *visited, uint64
 
 struct sph_hit sph_fast_walk_bih(const struct sph_fast *f, const struct sph_ray *ray,
                                  struct sph_counters *c, uint32_t *visits, uint32_t *errors) {
-    struct walk w = {.f = f, .probe = sph_fast_probe(f, ray, c, errors)};
+    struct walk w = {.f = f, .query = sph_fast_ray_query(f, ray, c, errors)};
     struct place at = {f->root, 0, {0, SPH_BIH_NO_BOUND}};
     uint32_t visited = 0;
-    sph_fast_planes(w.probe.p, ray, &w.bih);
+    sph_fast_planes(w.query.p, ray, &w.bih);
     w.limit = w.bih.limit;
     if (leaf(&w, 0, (uint32_t)f->m->regs[SPH_REG_N_LOOSE]) && box(&w, &at.span))
         *errors |= visit(&w, at, &visited, &c->count[SPH_COUNT_CHILD_TESTS]);
     *visits += visited;
     c->count[SPH_COUNT_NODE_VISITS] += visited;
     c->count[SPH_COUNT_LEAF_TESTS] += w.leaf_tests;
-    return w.probe.best;
+    return w.query.best;
 }

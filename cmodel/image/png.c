@@ -19,7 +19,7 @@ static void warned(png_structp png, png_const_charp why) {
 }
 
 /* What fails here, the file remembers. */
-static void put(png_structp png, png_bytep bytes, size_t n) {
+static void write_bytes(png_structp png, png_bytep bytes, size_t n) {
     fwrite(bytes, 1, n, png_get_io_ptr(png));
 }
 
@@ -52,7 +52,7 @@ int sph_png_write(FILE *file, const char *path, int width, int height, const uin
     png_infop info = png ? png_create_info_struct(png) : NULL;
     int rc = -1;
     if (info) {
-        png_set_write_fn(png, file, put, flush);
+        png_set_write_fn(png, file, write_bytes, flush);
         rc = write_all(png, info, width, height, rgb, transfer);
     }
     png_destroy_write_struct(&png, &info);

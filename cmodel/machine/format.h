@@ -13,7 +13,7 @@
 #define SPH_MAGIC "SPHAERA1"
 
 enum {
-    SPH_FILE_VERSION = 6,
+    SPH_FILE_VERSION = 7,
     SPH_AT_MAGIC = 0,
     SPH_AT_VERSION = 8,
     SPH_AT_HEADER = 12, /* bytes before memory */

@@ -1,4 +1,4 @@
-/* layout.h - generated from machine.def by gen_layout.awk; do not edit
+/* layout.h - generated from machine.def by make layout; do not edit
  * SPDX-License-Identifier: Apache-2.0
  */
 #ifndef SPH_LAYOUT_H
@@ -108,6 +108,8 @@
 #define SPH_PRIM_KA_BITS 9
 #define SPH_PRIM_KD_LSB 180
 #define SPH_PRIM_KD_BITS 9
+#define SPH_PRIM_LEFT_OUT_LSB 189
+#define SPH_PRIM_LEFT_OUT_BITS 1
 #define SPH_PRIM_KS_LSB 218
 #define SPH_PRIM_KS_BITS 8
 #define SPH_PRIM_POWER_LSB 226
@@ -350,11 +352,12 @@
 #define SPH_REG_DOWN_Y 116
 #define SPH_REG_DOWN_Z 117
 #define SPH_REG_LEAST_WEIGHT 118
+#define SPH_REG_ONE_CAMERA 119
 #define SPH_LEAST_WEIGHT_MAX 256
 #define SPH_LIGHT_STRIDE 8
 #define SPH_LIGHT_SHIFT_LSB 16
 #define SPH_LIGHT_SHIFT_BITS 5
-#define SPH_N_REGS 119
+#define SPH_N_REGS 120
 #define SPH_COUNT_RAYS_PRIMARY 0
 #define SPH_COUNT_RAYS_SHADOW 1
 #define SPH_COUNT_RAYS_REFLECTED 2
@@ -383,6 +386,7 @@
 #define SPH_ERROR_BUS_ERROR 3
 #define SPH_ERROR_MISSING_EFFECT 4
 #define SPH_ERROR_WRONG_PROFILE 5
+#define SPH_ERROR_LEFT_OUT 6
 #define SPH_EFFECT_SHADOW 0
 #define SPH_EFFECT_REFLECT 1
 #define SPH_EFFECT_INSIDE 2
@@ -402,11 +406,11 @@
 #define SPH_KINDS_UNBOUNDED 4
 #define SPH_COUNTERS 22
 #define SPH_COUNTERS_BOTH 3605503
-#define SPH_ERRORS 6
+#define SPH_ERRORS 7
 #define SPH_PROFILE_TABLE {"draft", 12, 13, 13, 2, 12, 0}, {"standard", 16, 17, 17, 2, 14, 0}, {"fine", 20, 22, 24, 2, 14, 0}, {"reference", 24, 25, 28, 2, 14, 0}
 #define SPH_WIDTH_TABLE {"w", offsetof(struct sph_profile, w), 0, 5, 8, 24, "a leaf record has 24 bits"}, {"wd", offsetof(struct sph_profile, wd), 5, 5, 9, 31, "a register has 32 bits"}, {"pq", offsetof(struct sph_profile, pq), 10, 6, 4, 32, "a quotient is one word of the model"}, {"ng", offsetof(struct sph_profile, ng), 16, 3, 0, 4, "the bounds of build are 64-bit numbers"}, {"fw", offsetof(struct sph_profile, fw), 19, 4, 6, 14, "a node record has 14 bits"}, {"pr", offsetof(struct sph_profile, pr), 23, 6, 0, 51, "the longest root has 52 bits"}
 #define SPH_COUNTER_NAMES "rays_primary", "rays_shadow", "rays_reflected", "node_visits", "child_tests", "leaf_tests", "roots", "quotients", "background", "saturations", "cycles", "issue_wait", "node_misses", "leaf_misses", "rays_waiting", "pop_bubbles", "facet_tests", "divisions", "texels", "texel_misses", "rays_refracted", "powers"
-#define SPH_ERROR_NAMES "bad_node", "stack_overflow", "visit_limit", "bus_error", "missing_effect", "wrong_profile"
+#define SPH_ERROR_NAMES "bad_node", "stack_overflow", "visit_limit", "bus_error", "missing_effect", "wrong_profile", "left_out"
 #define SPH_EFFECT_MASK 16383
 #define SPH_EACH_EFFECT(X)  \
     X(SHADOW, shadow, "SHADOW", 0, 1, 1, SPH_OPTION_WHEN, 0, 0, -1, 0, 0, -1, "rays towards the lights") \
@@ -492,10 +496,106 @@
     X(DOWN_X) \
     X(DOWN_Y) \
     X(DOWN_Z) \
-    X(LEAST_WEIGHT)
+    X(LEAST_WEIGHT) \
+    X(ONE_CAMERA)
 #define SPH_EACH_KIND(X)  \
     X(sphere) \
     X(triangle) \
     X(plane)
+#define SPH_EACH_COUNTER(X)  \
+    X(RAYS_PRIMARY, rays_primary) \
+    X(RAYS_SHADOW, rays_shadow) \
+    X(RAYS_REFLECTED, rays_reflected) \
+    X(NODE_VISITS, node_visits) \
+    X(CHILD_TESTS, child_tests) \
+    X(LEAF_TESTS, leaf_tests) \
+    X(ROOTS, roots) \
+    X(QUOTIENTS, quotients) \
+    X(BACKGROUND, background) \
+    X(SATURATIONS, saturations) \
+    X(CYCLES, cycles) \
+    X(ISSUE_WAIT, issue_wait) \
+    X(NODE_MISSES, node_misses) \
+    X(LEAF_MISSES, leaf_misses) \
+    X(RAYS_WAITING, rays_waiting) \
+    X(POP_BUBBLES, pop_bubbles) \
+    X(FACET_TESTS, facet_tests) \
+    X(DIVISIONS, divisions) \
+    X(TEXELS, texels) \
+    X(TEXEL_MISSES, texel_misses) \
+    X(RAYS_REFRACTED, rays_refracted) \
+    X(POWERS, powers)
+#define SPH_EACH_SIZE(X)  \
+    X(ENGINES, 1) \
+    X(PIPES, 1) \
+    X(LEAF_UNITS, 0) \
+    X(SHADES, 0) \
+    X(SETUPS, 0) \
+    X(WALKS, 0) \
+    X(SLOTS, 64) \
+    X(NODE_LINES, 256) \
+    X(LEAF_LINES, 128) \
+    X(TEXTURE_LINES, 128) \
+    X(TEXTURE_WAYS, 4) \
+    X(TEXTURE_GROUP, 1) \
+    X(TEXTURE_COORDS, 2) \
+    X(ROOTS, 0) \
+    X(QUOTIENTS, 2) \
+    X(DIVISIONS, 0) \
+    X(ROOT_STEP, 2) \
+    X(QUOTIENT_STEP, 2) \
+    X(DIVISION_STEP, 2) \
+    X(LEAF_INTERVAL, 2) \
+    X(FACET_INTERVAL, 0) \
+    X(UNITS, 2) \
+    X(UNIT_INTERVAL, 2) \
+    X(SQUARES, 0) \
+    X(SPILLS, 0) \
+    X(HIT_INTERVAL, 8) \
+    X(BOUNCE_INTERVAL, 10)
+#define SPH_EACH_PACE(X)  \
+    X(FINE, LEAF_INTERVAL, 4) \
+    X(FINE, UNIT_INTERVAL, 4) \
+    X(FINE, HIT_INTERVAL, 12) \
+    X(FINE, BOUNCE_INTERVAL, 12) \
+    X(FINE, WALKS, 2) \
+    X(REFERENCE, LEAF_INTERVAL, 4) \
+    X(REFERENCE, UNIT_INTERVAL, 4) \
+    X(REFERENCE, HIT_INTERVAL, 12) \
+    X(REFERENCE, BOUNCE_INTERVAL, 12) \
+    X(REFERENCE, WALKS, 2)
+#define SPH_EACH_UNIT_COUNT(X)  \
+    X(SHADE_UNITS, (SHADES != 0 ? SHADES : PIPES == 1 || INTERPENETRATE != 0 ? 1 : PIPES == 4 ? 4 : 2)) \
+    X(LEAF_COUNT, (LEAF_UNITS>0 ? LEAF_UNITS : BOXES>0 ? SHADE_UNITS : PIPES>2 && SHADE_UNITS>1 ? 2:1)) \
+    X(SETUP_UNITS, (SETUPS != 0 ? SETUPS : PIPES == 4 && LEAF_COUNT > 1 ? 2 : 1))
+#define SPH_EACH_RATE(X)  \
+    X(FACET_CLOCKS, (FACET_INTERVAL != 0 ? FACET_INTERVAL : BOXES == 0 && W >= 18 ? 4 : 2)) \
+    X(KEY_UNITS, (DIVISIONS != 0 ? DIVISIONS : BOXES != 0 ? 3 : 1)) \
+    X(KEY_DIVISION, ((W + WD + DIVISION_STEP) / DIVISION_STEP + 1)) \
+    X(KEY_PRODUCTS, ((2 * ((WD + 16) / 17) + (2 * WD + 16) / 17) * ((2 * W + WD + 68) / 34) + 6)) \
+    X(KEY_CLOCKS, (max(KEY_DIVISION, KEY_PRODUCTS))) \
+    X(ROOT_UNITS, (ROOTS != 0 ? ROOTS : PIPES > 1 ? 6 : 3)) \
+    X(ROOT_BITS, (PR != 0 ? PR : W + WD)) \
+    X(QUOTIENT_CLOCKS, ((PQ + QUOTIENT_STEP - 1) / QUOTIENT_STEP + 6)) \
+    X(REFRACT_CLOCKS, (62 + 11 * (WD > 17) + (ROOT_BITS + 1) / 2))
+#define SPH_EACH_LOAD(X)  \
+    X(node_visits, "node visits", PIPES, node_visits + ACCEL * (4*rays + node_visits - child_tests/2)) \
+    X(rays_set_up_for_planes, "rays set up for planes", PIPES, (ACCEL + BOXES > 0) * rays * 33 / 4) \
+    X(records_to_tests, "records to tests", LEAF_COUNT, 2 * (leaf_tests + facet_tests)) \
+    X(exact_tests_of_spheres, "exact tests of spheres", LEAF_COUNT, leaf_tests * LEAF_INTERVAL) \
+    X(exact_tests_of_facets, "exact tests of facets", LEAF_COUNT, facet_tests * FACET_CLOCKS) \
+    X(keys_of_facets, "keys of facets", LEAF_COUNT * KEY_UNITS, divisions * KEY_CLOCKS) \
+    X(roots, "roots", LEAF_COUNT * ROOT_UNITS, roots * ((ROOT_BITS - 1) / ROOT_STEP + 3)) \
+    X(unit_vectors, "unit vectors", SETUP_UNITS * UNITS, vectors * UNIT_INTERVAL) \
+    X(quotients, "quotients", SHADE_UNITS * QUOTIENTS, quotients * QUOTIENT_CLOCKS) \
+    X(points_and_normals, "points and normals", SHADE_UNITS, quotients * HIT_INTERVAL) \
+    X(mirrored_directions, "mirrored directions", SHADE_UNITS, rays_reflected * BOUNCE_INTERVAL) \
+    X(refracted_directions, "refracted directions", SHADE_UNITS, rays_refracted * REFRACT_CLOCKS) \
+    X(lights_added, "lights added", SHADE_UNITS, 3 * quotients * (1 + N_LIGHTS)) \
+    X(highlights, "highlights", SHADE_UNITS, powers * 24) \
+    X(surfaces_blended, "surfaces blended", SHADE_UNITS, SUM * surfaces * 12) \
+    X(interpolated_normals, "interpolated normals", SHADE_UNITS, SMOOTH * min(quotients, divisions) * 18) \
+    X(texture_coordinates, "texture coordinates", SHADE_UNITS, textured * 13) \
+    X(pixel_walk, "pixel walk", 1, rays_primary)
 
 #endif

@@ -1,4 +1,4 @@
-/* profile.h - the widths that fix what accuracy costs (docs/reference/number_formats.md)
+/* profile.h - the widths that fix what accuracy costs (docs/reference/machine_file.md)
  * SPDX-License-Identifier: Apache-2.0
  *
  * Four profiles have names. Any other is written as one of them with widths of its own,

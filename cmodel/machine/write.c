@@ -38,7 +38,7 @@ static void fill_header(const struct sph_machine *m, unsigned char *h) {
 }
 
 /* Writes n bytes and adds them to the checksum; the stream remembers errors. */
-static void put(FILE *file, const unsigned char *bytes, size_t n, uint64_t *sum) {
+static void write_bytes(FILE *file, const unsigned char *bytes, size_t n, uint64_t *sum) {
     *sum = sph_fnv_bytes(*sum, bytes, n);
     fwrite(bytes, 1, n, file);
 }
@@ -47,11 +47,11 @@ static void put_all(FILE *file, const struct sph_machine *m) {
     unsigned char header[SPH_HEADER_BYTES], line[4 * SPH_LINE_WORDS], tail[SPH_CHECKSUM_BYTES];
     uint64_t sum = SPH_FNV_START;
     fill_header(m, header);
-    put(file, header, sizeof header, &sum);
+    write_bytes(file, header, sizeof header, &sum);
     for (uint32_t i = 0; i < m->lines; i++) {
         for (uint32_t w = 0; w < SPH_LINE_WORDS; w++)
             sph_put32(line + 4 * w, m->mem[(size_t)i * SPH_LINE_WORDS + w]);
-        put(file, line, sizeof line, &sum);
+        write_bytes(file, line, sizeof line, &sum);
     }
     sph_put64(tail, sum);
     fwrite(tail, 1, sizeof tail, file);

@@ -2,7 +2,7 @@
  * rtl/pixel/rt_pixel_scan.v SPDX-License-Identifier: Apache-2.0
  *
  * Borodavka et al. V. Register BG_MODE chooses the way, machine.def draws the words,
- * docs/design/engine.md and docs/results/background.md explain them.
+ * docs/design/overview.md and docs/results/effects.md explain them.
  */
 #ifndef SPH_BACKGROUND_H
 #define SPH_BACKGROUND_H

@@ -3,7 +3,7 @@
  *
  * t = num/det is never formed: with N = e1 x e2 (plane: its normal), det = N.dir and num = N.A0,
  * A0 = v0 - org, all is decided by signs of exact integers. Why no ray slips between two triangles:
- * docs/design/facet.md. With Aj = vj - org, A1 = A0 + e1 and A2 = A0 + e2,
+ * docs/design/primitives.md. With Aj = vj - org, A1 = A0 + e1 and A2 = A0 + e2,
  *
  *     U2 = dir.(A0 x A1) = dir.(A0 x e1) =  (dir x A0).e1
  *     U1 = dir.(A2 x A0) = dir.(e2 x A0) = -(dir x A0).e2
@@ -50,7 +50,7 @@ struct sph_facet_result {
     sph_u128 det; /* |N.dir|, u(2W+WD+1) */
     sph_i128 num; /* N.A0, negated if N.dir < 0: t = num/det; s(3W+2) */
     uint64_t add; /* to the key; u(WD-1) */
-}; /* of a plane beyond the grid: |dir_k|, the room along k, its rank (docs/design/facet.md) */
+}; /* of a plane beyond the grid: |dir_k|, the room along k, its rank (docs/design/primitives.md) */
 
 /* Valid for every operand in range; dir = 0, a ray in the plane and an origin on it miss. A facet
  * of the group that the ray starts on misses; to a light also one that does not lie ahead of the

@@ -14,12 +14,12 @@ struct sph_facet_leaf sph_facet_head(const uint32_t *line, int kind) {
     return f;
 }
 
-int sph_facet_visit(const struct sph_probe *probe, const struct sph_facet_leaf *facet,
+int sph_facet_visit(const struct sph_ray_query *query, const struct sph_facet_leaf *facet,
                     struct sph_hit *hit) {
-    const struct sph_ray *ray = probe->ray;
-    struct sph_facet_result r = sph_facet_test(probe->p, ray, facet);
-    uint64_t *divisions = &probe->c->count[SPH_COUNT_DIVISIONS];
-    probe->c->count[SPH_COUNT_FACET_TESTS]++;
+    const struct sph_ray *ray = query->ray;
+    struct sph_facet_result r = sph_facet_test(query->p, ray, facet);
+    uint64_t *divisions = &query->c->count[SPH_COUNT_DIVISIONS];
+    query->c->count[SPH_COUNT_FACET_TESTS]++;
     if (!r.hit) return 0;
     uint64_t key = ray->kind == SPH_SHADOW ? 1 : sph_facet_key(ray, &r, divisions);
     *hit = (struct sph_hit){key, facet->id, r.far != 0, 0};

@@ -17,7 +17,7 @@ static inline void sph_vector_read(const uint32_t *line, int at, int w, int64_t 
 }
 
 /* The test of a facet whose corners, or point and normal, are read: as sph_prim.test. */
-int sph_facet_visit(const struct sph_probe *probe, const struct sph_facet_leaf *facet,
+int sph_facet_visit(const struct sph_ray_query *query, const struct sph_facet_leaf *facet,
                     struct sph_hit *hit);
 
 /* Id and group of a facet's leaf line. */

@@ -3,11 +3,11 @@
  */
 #include "prim/kinds.h"
 
-static int test(const struct sph_probe *probe, const uint32_t *record, struct sph_hit *hit) {
+static int test(const struct sph_ray_query *query, const uint32_t *record, struct sph_hit *hit) {
     struct sph_facet_leaf f = sph_facet_head(record, SPH_PLANE);
-    sph_vector_read(record, SPH_PLANE_P_X_LSB, probe->p->w, f.v[0]);
+    sph_vector_read(record, SPH_PLANE_P_X_LSB, query->p->w, f.v[0]);
     sph_vector_read(record, SPH_PLANE_N_X_LSB, SPH_PLANE_N_X_BITS, f.v[1]);
-    return sph_facet_visit(probe, &f, hit);
+    return sph_facet_visit(query, &f, hit);
 }
 
 static int validate(const struct sph_machine *m, uint32_t line, const uint32_t *record, uint32_t id,

@@ -8,10 +8,10 @@
 #define KIND(name) &sph_prim_##name,
 static const struct sph_prim *const kinds[SPH_KINDS] = {SPH_EACH_KIND(KIND)};
 
-static int test_nothing(const struct sph_probe *probe, const uint32_t *record,
+static int test_nothing(const struct sph_ray_query *query, const uint32_t *record,
                         struct sph_hit *hit) {
     (void)record, (void)hit;
-    *probe->errors |= 1u << SPH_ERROR_BAD_NODE;
+    *query->errors |= 1u << SPH_ERROR_BAD_NODE;
     return 0;
 }
 

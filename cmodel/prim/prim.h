@@ -13,7 +13,7 @@
 #include "core/ray.h"
 
 /* A ray on its way through leaf records, and what it has found. */
-struct sph_probe {
+struct sph_ray_query {
     const struct sph_profile *p;
     const struct sph_ray *ray;
     int whole;  /* each leaf record has a line: the machine has FACETS */
@@ -29,7 +29,7 @@ struct sph_prim {
     int flat;
     /* The exact test of the ray with a leaf record: 1 with key (of a shadow ray 1), id and side of
      * a hit, 0 for a miss. Counts its work. */
-    int (*test)(const struct sph_probe *probe, const uint32_t *record, struct sph_hit *hit);
+    int (*test)(const struct sph_ray_query *query, const uint32_t *record, struct sph_hit *hit);
     /* From the primitive record and the point with its guard bits: a vector along the normal, of
      * any length, outwards or to the front. */
     void (*normal)(const struct sph_profile *p, const uint32_t *prim, const int64_t guarded[3],

@@ -7,26 +7,26 @@
 #include "prim/kinds.h"
 #include "prim/sphere.h"
 
-static void note(const struct sph_probe *probe, const struct sph_leaf *sphere,
+static void note(const struct sph_ray_query *query, const struct sph_leaf *sphere,
                  const struct sph_leaf_result *r) {
-    struct sph_stages *s = probe->ray->stages;
+    struct sph_stages *s = query->ray->stages;
     SPH_NOTE(s, SPH_STAGE_SPHERE, sphere->id, SPH_THREE(sphere->ctr), sphere->rad, r->b, r->k,
              r->disc, r->hit, r->far);
-    if (!r->hit || r->exit || probe->ray->kind == SPH_SHADOW) return;
+    if (!r->hit || r->exit || query->ray->kind == SPH_SHADOW) return;
     int inexact;
-    uint64_t root = sph_leaf_root(r, probe->p->pr, &inexact);
+    uint64_t root = sph_leaf_root(r, query->p->pr, &inexact);
     SPH_NOTE(s, SPH_STAGE_ROOT, sphere->id, (sph_i128)root, inexact);
 }
 
-static int test(const struct sph_probe *probe, const uint32_t *record, struct sph_hit *hit) {
-    const struct sph_profile *p = probe->p;
+static int test(const struct sph_ray_query *query, const uint32_t *record, struct sph_hit *hit) {
+    const struct sph_profile *p = query->p;
     struct sph_leaf sphere = sph_sphere_read(record, p->w);
-    struct sph_leaf_result r = sph_leaf_test(probe->ray, &sphere);
-    uint64_t *roots = &probe->c->count[SPH_COUNT_ROOTS];
-    probe->c->count[SPH_COUNT_LEAF_TESTS]++;
-    if (probe->ray->stages) note(probe, &sphere, &r);
+    struct sph_leaf_result r = sph_leaf_test(query->ray, &sphere);
+    uint64_t *roots = &query->c->count[SPH_COUNT_ROOTS];
+    query->c->count[SPH_COUNT_LEAF_TESTS]++;
+    if (query->ray->stages) note(query, &sphere, &r);
     if (!r.hit) return 0;
-    uint64_t key = probe->ray->kind == SPH_SHADOW ? 1 : sph_leaf_key_bits(&r, p->pr, roots);
+    uint64_t key = query->ray->kind == SPH_SHADOW ? 1 : sph_leaf_key_bits(&r, p->pr, roots);
     *hit = (struct sph_hit){key, sphere.id, r.far != 0, 0};
     return 1;
 }

@@ -8,11 +8,11 @@
 static const int corner_lsb[3] = {SPH_TRIANGLE_V0_X_LSB, SPH_TRIANGLE_V1_X_LSB,
                                   SPH_TRIANGLE_V2_X_LSB};
 
-static int test(const struct sph_probe *probe, const uint32_t *record, struct sph_hit *hit) {
+static int test(const struct sph_ray_query *query, const uint32_t *record, struct sph_hit *hit) {
     struct sph_facet_leaf f = sph_facet_head(record, SPH_TRIANGLE);
     for (int i = 0; i < 3; i++)
-        sph_vector_read(record, corner_lsb[i], probe->p->w, f.v[i]);
-    return sph_facet_visit(probe, &f, hit);
+        sph_vector_read(record, corner_lsb[i], query->p->w, f.v[i]);
+    return sph_facet_visit(query, &f, hit);
 }
 
 /* v / 2^shift to nearest, halves away from zero, and to 0 only if it is 0: the signs of a normal

@@ -58,6 +58,7 @@ void sph_accuracy_number(const uint32_t *numbers, struct sph_frame *frame,
 struct sph_accuracy sph_accuracy_measure(const struct sph_accuracy_frame *f,
                                          const struct sph_reference *reference) {
     struct sph_accuracy e = {.image = sph_reference_compare(f->frame, reference), .x = -1, .y = -1};
+    uint64_t width = (uint64_t)f->machine->regs[SPH_REG_FRAME_W];
     double sum = 0;
     for (uint64_t i = 0; i < e.image.pixels; i++) {
         const struct sph_pixel *p = &f->frame->pixels[i];
@@ -68,7 +69,8 @@ struct sph_accuracy sph_accuracy_measure(const struct sph_accuracy_frame *f,
         e.shadow += ((scene_lights(f, f->trails[i].blocked) ^ r->shadow) & faced) != 0;
         e.reflected += f->trails[i].reflected_id != r->reflected_id;
         e.refracted += f->trails[i].refracted_id != r->refracted_id;
-        int x = (int)(i % (uint64_t)f->frame->width), y = (int)(i / (uint64_t)f->frame->width);
+        uint64_t at = f->places ? f->places[i] : i;
+        int x = (int)(at % width), y = (int)(at / width);
         double off = fabs(distance(f->machine, x, y, p->key) - expected(f, x, y, r->distance));
         sum += off;
         if (e.x < 0 || off > e.t_worst) e.t_worst = off, e.x = x, e.y = y;

@@ -16,7 +16,8 @@ struct sph_accuracy_frame {
     const struct sph_frame *frame;
     const struct sph_trail *trails; /* as many as pixels */
     const int *lights;              /* number in the scene of each light of the machine */
-    double ahead, wider; /* of the machine's eye: builder/grid/eye.h; 0 and 1 if it stays */
+    double ahead, wider;    /* of the machine's eye: builder/grid/eye.h; 0 and 1 if it stays */
+    const uint32_t *places; /* NULL, or where the pixels are: as sph_reference_options has them */
 };
 
 /* Makes the machine's ids in frame and trails (as many as pixels) the scene's, which are others
@@ -33,7 +34,7 @@ struct sph_accuracy {
     uint64_t refracted; /* the refracted ray does */
     double t_worst;     /* distance from the eye along the ray, error in grid units */
     double t_mean;      /* mean of its magnitude */
-    int x, y;           /* pixel of t_worst, -1 if there is none */
+    int x, y;           /* pixel of t_worst in the machine's frame, -1 if there is none */
 };
 
 /* Compares frame and reference of equal size (sizes differ: image.pixels is 0, nothing counts). */

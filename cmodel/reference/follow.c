@@ -100,8 +100,8 @@ static const struct sph_material *surface(const struct sph_scene *scene,
 
 /* What a ray meets, or what lights it there, is not certain. It does not count where it has less
  * than half a level of the colours, and nobody asks for its id. */
-static void doubt(struct sph_ref_seen *seen, const struct sph_ref_branch *b, int what) {
-    if (b->depth < 2 || b->weight > 0.5 / 255) seen->pixel.doubt |= what;
+static void doubt(struct sph_ref_seen *seen, const struct sph_ref_branch *b) {
+    if (b->depth < 2 || b->weight > 0.5 / 255) seen->pixel.doubt = 1;
 }
 
 /* How the unit normal turns with the hit point. */
@@ -139,7 +139,7 @@ static void shade(const struct sph_ref_job *j, struct sph_ref_branch *b,
                   struct sph_ref_seen *seen, double colour[3]) {
     double image[3], lod[SPH_LODS], shine = k->ks > 0 && j->o->specular ? f->shine : 0;
     struct lit lit = light(j, at, normal, from, dir, hit, shine);
-    if (lit.doubt) doubt(seen, b, SPH_DOUBT_LATER);
+    if (lit.doubt) doubt(seen, b);
     sph_ref_path_hit(&b->path, b->ray.dir, hit->t, normal);
     if (sph_ref_texture(&j->textures, hit->id, at, &b->path, image, lod, seen->work) &&
         !seen->pixel.textured) {
@@ -227,7 +227,7 @@ void sph_ref_follow(const struct sph_ref_job *j, struct sph_ref_branch b,
     if (b.depth == 0) seen->pixel.id = hit.id;
     if (b.depth == 1)
         *(b.mirrored ? &seen->pixel.reflected_id : &seen->pixel.refracted_id) = hit.id;
-    if (hit.doubt) doubt(seen, &b, b.depth ? SPH_DOUBT_LATER : SPH_DOUBT_SEEN);
+    if (hit.doubt) doubt(seen, &b);
     if (hit.id == SPH_ID_NONE) {
         add(seen, b.depth, b.weight, b.weight, j->scene->background);
         return;
@@ -250,7 +250,7 @@ void sph_ref_follow(const struct sph_ref_job *j, struct sph_ref_branch b,
     unit(dir);
     shade(j, &b, &hit, f, &k, at, normal, &from, dir, step, seen, colour);
     double turn = k.kt > 0 ? sph_ref_drift_refract(b.ray.turn, tilt, dot(dir, normal), ratio) : 0;
-    if (isinf(turn)) doubt(seen, &b, SPH_DOUBT_LATER);
+    if (isinf(turn)) doubt(seen, &b);
     if (k.kt > 0 && !sph_ref_refract(dir, normal, ratio, bent)) {
         sph_ref_reflect_all(&k, f, j->o->total);
     }

@@ -50,7 +50,7 @@ struct sph_ref_seen {
     struct sph_reference_pixel pixel;
     struct sph_ref_log *log; /* may be NULL */
     struct sph_level_work *work;
-    double sum[SPH_FRAMES][3]; /* as the frames of the machine: docs/design/refraction.md */
+    double sum[SPH_FRAMES][3]; /* as the frames of the machine: docs/design/shading.md */
 };
 
 /* Adds all that the ray sees to *seen. */

@@ -11,7 +11,7 @@
 #include "reference/drift.h"
 #include "reference/follow.h"
 
-enum { ROWS = 4 }; /* that are worth a thread */
+enum { PIXELS = 512 }; /* that are worth a thread */
 
 static uint32_t byte(double c) {
     return (uint32_t)(fmin(fmax(c, 0), 1) * 255 + 0.5);
@@ -48,17 +48,17 @@ struct picture {
     struct sph_reference *out;
 };
 
-static void render_rows(void *user, uint32_t first, uint32_t end) {
+static void render_pixels(void *user, uint32_t first, uint32_t end) {
     const struct picture *p = user;
-    size_t width = (size_t)p->out->width;
-    for (uint32_t y = first; y < end; y++) {
-        struct sph_level_work work = {.hits = {0}};
-        for (size_t x = 0; x < width; x++)
-            p->out->pixels[y * width + x] = render_pixel(p->job, (int)x, (int)y, &work);
-        sph_parallel_lock();
-        sph_level_work_add(&p->out->work, &work);
-        sph_parallel_unlock();
+    const uint32_t *places = p->job->o->places, width = (uint32_t)p->job->view.width;
+    struct sph_level_work work = {.hits = {0}};
+    for (uint32_t i = first; i < end; i++) {
+        uint32_t at = places ? places[i] : i;
+        p->out->pixels[i] = render_pixel(p->job, (int)(at % width), (int)(at / width), &work);
     }
+    sph_parallel_lock();
+    sph_level_work_add(&p->out->work, &work);
+    sph_parallel_unlock();
 }
 
 int sph_reference_render(const struct sph_scene *scene, const struct sph_reference_options *options,
@@ -75,8 +75,10 @@ int sph_reference_render(const struct sph_scene *scene, const struct sph_referen
                                            options->spread};
     struct sph_ref_tree *tree = sph_ref_tree_counted(scene, options->kd, options->work);
     memset(&out->work, 0, sizeof out->work);
-    out->width = width, out->height = height;
-    out->pixels = calloc((size_t)width * (size_t)height, sizeof *out->pixels);
+    out->width = options->places ? (int)options->n_places : width;
+    out->height = options->places ? 1 : height;
+    uint32_t n = (uint32_t)out->width * (uint32_t)out->height;
+    out->pixels = calloc(n, sizeof *out->pixels);
     if (!tree || !out->pixels) {
         sph_ref_tree_free(tree);
         sph_reference_free(out);
@@ -85,7 +87,7 @@ int sph_reference_render(const struct sph_scene *scene, const struct sph_referen
     j.tree = tree;
     struct picture picture = {&j, out};
     int before = sph_parallel_most(options->work ? 1 : options->threads); /* who counts gets one */
-    sph_parallel_for((uint32_t)height, ROWS, render_rows, &picture);
+    sph_parallel_for(n, PIXELS, render_pixels, &picture);
     sph_parallel_most(before);
     sph_ref_tree_free(tree);
     return 0;

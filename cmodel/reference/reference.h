@@ -32,6 +32,8 @@ struct sph_reference_options {
     int spread;                 /* 1: spheres spread what SPH_LOD_MENDED goes by, as with SPREAD */
     int kd;                     /* 1: rays go through a kd-tree */
     struct sph_ref_work *work;  /* NULL, or what the tree does, with one thread */
+    const uint32_t *places;     /* NULL: every pixel; else these alone, y * width + x, */
+    uint32_t n_places;          /* and what comes out is n_places x 1 */
 };
 
 struct sph_reference_pixel {
@@ -42,7 +44,7 @@ struct sph_reference_pixel {
     uint32_t faced;              /* bit l: light l shines on the side of it that is seen */
     uint32_t shadow;             /* bit l: light l does, but is blocked */
     int beyond;                  /* SPH_BEYOND_*: a plane is seen far beyond the world */
-    int doubt;                   /* SPH_DOUBT_*: what doubles cannot tell */
+    int doubt;                   /* doubles cannot tell what is seen, also by later rays */
     double distance;             /* from the eye to it, scene units; INFINITY: background */
     int textured;                /* a surface with an image is seen, also in mirrors */
     double lod[SPH_LODS];        /* of the first one, each way */
@@ -52,10 +54,6 @@ struct sph_reference_pixel {
 
 /* By the eye (its bit), by a ray that leaves a surface. */
 enum { SPH_BEYOND_EYE = 1, SPH_BEYOND_LATER = 2 };
-
-/* What is seen: id; colours and what is seen later: a shadow, what is in a mirror or behind glass.
- */
-enum { SPH_DOUBT_SEEN = 1, SPH_DOUBT_LATER = 2 };
 
 /* How a textured surface is seen: directly, in flat mirrors, in at least one curved one. */
 enum { SPH_VIA_NOTHING, SPH_VIA_FLAT, SPH_VIA_CURVED, SPH_VIAS };
@@ -74,6 +72,7 @@ struct sph_image_error {
     uint64_t wrong_id;       /* hit in both, another one */
     uint64_t far_off;        /* a channel of the deepest layer is off by more than 8 */
     int worst;               /* largest difference of a channel in the deepest layer */
+    double deviation;        /* of the deepest layer's squared error of a pixel, 0..1 of the most */
 };
 
 /* Renders the scene into *out (allocated here). 0, or -1 with a message (no memory, a camera

@@ -215,7 +215,7 @@ struct walk {
 };
 
 /* One more hit that begins before the limit. */
-static void keep(struct walk *w, const struct sph_ref_hit *hit, double low, double high) {
+static void add_hit(struct walk *w, const struct sph_ref_hit *hit, double low, double high) {
     struct sph_ref_hit *best = &w->best;
     if (!w->settle) {
         w->tied = high < w->begin ? 0 : 1;
@@ -246,7 +246,7 @@ static double test(void *user, uint32_t id) {
     if (high >= w->t_max) return w->limit;
     struct sph_ref_hit hit = {m.t, id, m.far, m.slack, m.doubt};
     if (!w->any_hit) {
-        keep(w, &hit, low, high);
+        add_hit(w, &hit, low, high);
         return w->limit;
     }
     w->best = hit;

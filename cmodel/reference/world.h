@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * A ray that meets a plane farther than the grid is shaded where it leaves the grid along its
- * longest axis (docs/design/facet.md). It sees the plane all the same; lights are in other
+ * longest axis (docs/design/primitives.md). It sees the plane all the same; lights are in other
  * directions from there.
  */
 #ifndef SPH_WORLD_H

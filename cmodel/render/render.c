@@ -102,7 +102,7 @@ int sph_render(const struct sph_machine *m, const struct sph_render_options *o,
                       .height = ROWS,
                       .counters = counters};
     if (fast) job.how.fast = fast;
-    if (job.how.fast && !o->log && sph_fast_shades(m)) {
+    if (job.how.fast && !o->log && !o->met && sph_fast_shades(m)) {
         job.tiles = 1;
         job.packets = packets && sph_fast_tiles(m, job.how.fast);
         job.width = TILES * SPH_TILE;

@@ -12,7 +12,7 @@
 
 #define HALF 20.0 /* of the cube's edge */
 #define EYE_Z 100.0
-#define CORNER 8.0 /* edge of a corner cube: docs/results/scenarios.md tells why */
+#define CORNER 8.0 /* edge of a corner cube: docs/results/trees.md tells why */
 #define VIEW 0.26  /* tangent of half the narrower field of view: the cube's front face, nearly */
 
 /* Table 4.1; with `plain` the highlight is left out and the rest is what NFF has. */

@@ -1,7 +1,7 @@
 /* nesting.h - what is around glass: a sphere within another bends against the other's index
  * SPDX-License-Identifier: Apache-2.0
  *
- * Rule: docs/design/refraction.md, *Nesting*. Spheres whose surroundings are no vacuum get
+ * Rule: docs/design/shading.md, *Nesting*. Spheres whose surroundings are no vacuum get
  * materials of their own, at the end of the list; sum.of says of which they are made.
  */
 #ifndef SPH_SCENE_NESTING_H

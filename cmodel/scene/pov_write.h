@@ -1,8 +1,8 @@
 /* pov_write.h - a scene for POV-Ray 3.7, which draws it without anything of this project
  * SPDX-License-Identifier: Apache-2.0
  *
- * Shading is that of docs/design/shading.md and refraction.md, in linear light; what POV-Ray cannot
- * say stands in docs/results/truth.md. Three names may be declared on POV-Ray's command line:
+ * Shading is that of docs/design/shading.md, in linear light; what POV-Ray cannot
+ * say stands in docs/results/accuracy.md. Three names may be declared on POV-Ray's command line:
  *   Reflections   rays one after another, as max_depth
  *   Whole         1: what surfaces have of their own is not lessened by their mirrors
  *   Ids           1: each primitive in a flat colour, its number; background 0xffffff

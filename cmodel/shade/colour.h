@@ -21,7 +21,7 @@ uint32_t sph_light_add(uint32_t sum, uint32_t cosine, uint32_t intensity);
 uint32_t sph_surface_colour(uint32_t albedo, uint32_t light);
 
 /* The pixel's frames as sums of shares, whatever the order of the surfaces
- * (docs/design/refraction.md): colours at depth 0, 1 and the deepest, u8.8, limited to 2^16-1. */
+ * (docs/design/shading.md): colours at depth 0, 1 and the deepest, u8.8, limited to 2^16-1. */
 struct sph_shares {
     uint32_t sum[SPH_FRAMES][3];
 };

@@ -1,7 +1,7 @@
 /* material.h - what a primitive record says of its surface           RTL: rtl/shade/rt_share.v
  * SPDX-License-Identifier: Apache-2.0
  *
- * Shares and words: docs/design/refraction.md, docs/design/shading.md.
+ * Shares and words: docs/design/shading.md, docs/design/shading.md.
  */
 #ifndef SPH_MATERIAL_H
 #define SPH_MATERIAL_H
@@ -20,6 +20,11 @@ struct sph_shading {
 
 /* The mirror share of a record, u1.8. A share that is more than 1 counts as 1. */
 uint32_t sph_shading_mirror(const uint32_t *prim);
+
+/* 1 if an effect that the record asks for was left out, since no ray was to meet it; else 0. */
+static inline uint32_t sph_shading_left_out(const uint32_t *prim) {
+    return sph_field(prim, SPH_PRIM_LEFT_OUT_LSB, SPH_PRIM_LEFT_OUT_BITS);
+}
 
 /* The record as the effects of the machine let it count. */
 struct sph_shading sph_shading_read(const struct sph_machine *m, const uint32_t *prim);

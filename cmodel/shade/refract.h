@@ -1,7 +1,7 @@
 /* refract.h - where a ray goes that enters a surface or leaves it  RTL: rtl/shade/rt_refract.v
  * SPDX-License-Identifier: Apache-2.0
  *
- * Snell's law without division (docs/design/refraction.md): with p the index of the side that the
+ * Snell's law without division (docs/design/shading.md): with p the index of the side that the
  * ray comes from and q that of the other, A = d.d, N = n.n, B = d.n,
  *
  *     X = q^2 A N - p^2 (A N - B^2)         T = p N d - (p B + sqrt(X)) n

@@ -29,7 +29,7 @@ int sph_surface_point(const struct sph_profile *p, const struct sph_ray *ray, ui
 /* The point of the grid where secondary rays start, from the guarded one; limited: returns 1. That
  * of a sphere is the nearest. That of a facet lies strictly in front of its plane, on the side that
  * the ray came from: each coordinate goes on to the next number of the grid along the normal
- * `vector`, turned if the hit is far (docs/design/facet.md has the proof). */
+ * `vector`, turned if the hit is far (docs/design/primitives.md has the proof). */
 int sph_surface_nearest(const struct sph_profile *p, struct sph_surface *s);
 int sph_surface_outwards(const struct sph_profile *p, int far, const int64_t vector[3],
                          struct sph_surface *s);

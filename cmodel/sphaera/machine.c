@@ -22,9 +22,8 @@ void sphaera_build_init(sphaera_build_options *options) {
                                        .texture = SPHAERA_AUTO};
 }
 
-/* Its options as build takes them; widths: where they point to. */
-static int take(const sphaera_build_options *from, struct sph_build_options *to,
-                struct sph_profile *widths, struct sph_error *err) {
+int sph_api_options(const sphaera_build_options *from, struct sph_build_options *to,
+                    struct sph_profile *widths, struct sph_error *err) {
     static const struct {
         const char *name;
         int tree;
@@ -35,6 +34,10 @@ static int take(const sphaera_build_options *from, struct sph_build_options *to,
                   {"box4", SPH_TREE_BOX4}};
     enum { ACCELS = sizeof accels / sizeof *accels };
     int accel = 0;
+    sphaera_build_options defaults;
+    sphaera_build_init(&defaults);
+    if (!from) from = &defaults;
+    *to = (struct sph_build_options)SPH_BUILD_DEFAULT;
     if (from->size != sizeof *from || !from->profile || !from->accel)
         return sph_fail(err, "build options: not those of sphaera_build_init()");
     while (accel < ACCELS && strcmp(accels[accel].name, from->accel) != 0)
@@ -77,13 +80,13 @@ static int take(const sphaera_build_options *from, struct sph_build_options *to,
 static int build(const struct sph_scene *scene, struct sph_build_options *o,
                  struct sph_build_report *report, struct sphaera_machine *to,
                  struct sph_error *err) {
-    const struct sph_keep keep = {SPH_KEEP_PIXELS, SPH_KEEP_PSNR};
+    const struct sph_error_bound bound = {SPH_ERROR_BOUND_PIXELS, SPH_ERROR_BOUND_PSNR};
     struct sph_profile_choice choice;
     struct sph_mip *mips = NULL;
     if (o->texture != SPH_OFF && sph_mips_load(scene, &mips, err)) return -1;
     o->mips = mips;
     int rc = o->widths ? sph_build(scene, o, &to->machine, report, err)
-                       : sph_build_auto(scene, o, &keep, &choice, &to->machine, report, err);
+                       : sph_build_auto(scene, o, &bound, &choice, &to->machine, report, err);
     sph_mips_free(mips, scene->n_textures);
     _Static_assert(sizeof to->warning == sizeof report->warning, "the whole text");
     if (!rc) memcpy(to->warning, report->warning, sizeof to->warning);
@@ -96,15 +99,13 @@ int sphaera_build(const sphaera_scene *scene, const sphaera_build_options *optio
     SPH_API_ENVIRONMENT;
     struct sph_error err = {""};
     struct sph_profile widths;
-    struct sph_build_options o = SPH_BUILD_DEFAULT;
-    sphaera_build_options defaults;
+    struct sph_build_options o;
     sphaera_machine *made = calloc(1, sizeof *made);
     struct sph_build_report *report = calloc(1, sizeof *report);
     int rc = -1;
-    sphaera_build_init(&defaults);
     if (!made || !report)
         sph_fail(&err, "no memory for a machine");
-    else if (!take(options ? options : &defaults, &o, &widths, &err))
+    else if (!sph_api_options(options, &o, &widths, &err))
         rc = build(&scene->scene, &o, report, made, &err);
     free(report);
     *machine = rc ? NULL : made;

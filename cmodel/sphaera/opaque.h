@@ -6,6 +6,7 @@
 
 #include <fenv.h>
 
+#include "builder/build.h"
 #include "core/frame.h"
 #include "core/trail.h"
 #include "machine/machine.h"
@@ -38,6 +39,11 @@ void sph_api_leave(fenv_t *callers);
 
 /* Is an argument NULL that must not be? Then *to says so by its name. */
 int sph_api_null(const void *argument, const char *name, sphaera_error *to);
+
+/* Options of the library as build takes them, NULL: the defaults; widths: where they point to if a
+ * profile is named. 0, or -1 with a message. */
+int sph_api_options(const sphaera_build_options *from, struct sph_build_options *to,
+                    struct sph_profile *widths, struct sph_error *err);
 
 /* The library's message as the user's; returns -1. */
 int sph_api_failed(const struct sph_error *from, sphaera_error *to);

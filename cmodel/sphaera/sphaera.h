@@ -149,6 +149,42 @@ typedef struct sphaera_hit {
 SPHAERA_API int sphaera_trace(const sphaera_machine *machine, const double origin[3],
                               const double direction[3], sphaera_hit *hit, sphaera_error *error);
 
+/* ---- what accuracy costs in time (`sphaera price`) ---- */
+
+typedef struct sphaera_price sphaera_price;
+typedef struct sphaera_price_row {
+    const char *name;         /* "draft", ...; stands as long as the price does, as why */
+    const char *why;          /* NULL; else nothing could be built, and the rest is 0 */
+    double psnr, psnr_least;  /* dB measured against double precision, and of the whole frame at
+                                 least; INFINITY: equal */
+    double psnr_expected;     /* before anything is drawn, at least; 0: not known */
+    uint64_t pixels;          /* that were looked at */
+    uint64_t undecidable;     /* of them, that doubles cannot tell: they do not count */
+    uint64_t wrong;           /* of them, that see another object */
+    double wrong_most;        /* part of the whole frame's pixels that does, at most */
+    int keeps;                /* what is asked for */
+    double cycles_per_pixel;  /* of one engine, by the work of the model */
+    int lut4eq, mult, bram;   /* cells of this very core on an ECP5; 0: nobody has made it */
+    double mhz, milliseconds; /* its clock, routed, and a frame at it; 0: not known */
+} sphaera_price_row;
+
+/* Measures a row for each profile, or one if the options name it. options NULL: the defaults.
+ * keep_pixels, keep_psnr: what a row is to keep, as of --error; 0, 0: its default. most: pixels of
+ * a sample, 0: the whole frame. */
+SPHAERA_API int sphaera_price_measure(const sphaera_scene *scene,
+                                      const sphaera_build_options *options, double keep_pixels,
+                                      double keep_psnr, uint32_t most, sphaera_price **price,
+                                      sphaera_error *error);
+SPHAERA_API void sphaera_price_free(sphaera_price *price); /* may be NULL */
+
+SPHAERA_API int sphaera_price_rows(const sphaera_price *price);
+
+/* The first row that keeps what is asked for, the cheapest one; -1: none does. */
+SPHAERA_API int sphaera_price_best(const sphaera_price *price);
+
+/* Row 0 .. rows - 1 into *row; -1 for another, and then nothing is written. */
+SPHAERA_API int sphaera_price_get(const sphaera_price *price, int number, sphaera_price_row *row);
+
 #ifdef __cplusplus
 }
 #endif

@@ -21,7 +21,7 @@ static size_t pixels(const struct ways *w) {
 }
 
 /* What the walk of the hardware does for the pixels of a frame: columns of 8 pixels, row by row.
- * docs/design/engine.md. */
+ * docs/design/overview.md. */
 static void count_walk(struct way *way, int mode, int cones, const struct ways *w) {
     uint64_t columns = ((uint64_t)w->width + 7) / 8, rows = (uint64_t)w->height, n = pixels(w);
     if (mode == SPH_BG_RECT) way->compare = 4 * n;

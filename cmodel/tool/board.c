@@ -96,7 +96,7 @@ static void record(void *user, uint32_t offset, uint32_t value) {
     script->n++;
 }
 
-static void leave(void *user, uint32_t address, const uint8_t *bytes, uint32_t count) {
+static void ignore_write(void *user, uint32_t address, const uint8_t *bytes, uint32_t count) {
     (void)user, (void)address, (void)bytes, (void)count;
 }
 
@@ -105,7 +105,7 @@ static int record_open(const struct board_machine *m, struct board_script *scrip
                        struct recorder *recorder, struct sphaera *s, struct sph_error *err) {
     struct sphaera_file file;
     *recorder = (struct recorder){script, 0};
-    const struct sphaera_bus bus = {answer, record, leave, recorder};
+    const struct sphaera_bus bus = {answer, record, ignore_write, recorder};
     script->n = 0;
     if (!sphaera_file_read(&file, m->bytes, m->count))
         return sph_fail(err, "%s", sphaera_text(SPHAERA_BAD_FILE));

@@ -97,7 +97,7 @@ static void set(void *user, uint32_t offset, uint32_t value) {
     send(user, REGISTERS | offset, bytes, 1);
 }
 
-static void put(void *user, uint32_t address, const uint8_t *bytes, uint32_t count) {
+static void write_memory(void *user, uint32_t address, const uint8_t *bytes, uint32_t count) {
     send(user, address, bytes, count / 4); /* lines are whole words */
 }
 
@@ -133,7 +133,7 @@ static int open_line(struct link *l, unsigned baud) {
 int board_load(const struct board_machine *m, int n, const char *device, unsigned baud,
                struct sph_error *err) {
     struct link link = {-1, device, err, 0};
-    const struct sphaera_bus bus = {get, set, put, &link};
+    const struct sphaera_bus bus = {get, set, write_memory, &link};
     struct sphaera s;
     int rc = SPHAERA_OK;
     if (open_line(&link, baud)) return -1;

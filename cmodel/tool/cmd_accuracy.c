@@ -4,16 +4,14 @@
 #include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>
-#include <time.h>
 
 #include "core/frame_file.h"
 #include "image/image.h"
-#include "reference/accuracy.h"
 #include "tool/levels.h"
 #include "tool/print.h"
 #include "tool/report.h"
 #include "image/mips.h"
-#include "render/render.h"
+#include "trial/measure.h"
 
 struct arguments {
     struct tool_source source;
@@ -69,78 +67,32 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
 /* What is held while a scene is measured. */
 struct measured {
     struct tool_built built;
-    struct sph_shot shot;
-    struct sph_trail *trails;
-    struct sph_reference reference;
-    double model_seconds, reference_seconds;
-    struct sph_accuracy accuracy;
+    struct sph_yardstick yardstick;
+    struct sph_trial trial; /* its machine is that of built */
     struct sph_mip *mips;
     struct sph_levels levels;
-    uint32_t *numbers;
 };
-
-/* Seconds of processor, all threads. */
-static double cpu_now(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
-static int run_model(const struct arguments *a, struct measured *m, struct sph_error *err) {
-    const int32_t *r = m->built.machine.regs;
-    m->trails = calloc((size_t)r[SPH_REG_FRAME_W] * (size_t)r[SPH_REG_FRAME_H], sizeof *m->trails);
-    if (!m->trails) return sph_fail(err, "%s: no memory for the rays of a frame", a->input);
-    struct sph_render_options how = {
-        .traverse = SPH_TRAVERSE_FAST, .threads = a->threads, .trails = m->trails};
-    double start = cpu_now();
-    int bits = sph_render(&m->built.machine, &how, &m->shot.frame, &m->shot.counters, err);
-    m->model_seconds = cpu_now() - start;
-    m->shot.errors = (uint32_t)bits;
-    return bits < 0 ? -1 : 0;
-}
-
-static int run_reference(const struct arguments *a, const struct sph_scene *scene,
-                         struct measured *m, struct sph_error *err) {
-    const struct sph_build_options *b = &a->source.build;
-    struct sph_reference_options how = {
-        .width = m->shot.frame.width,
-        .height = m->shot.frame.height,
-        .max_depth = a->truth < 0 ? b->max_depth : a->truth,
-        .shadow = 1,
-        .reflect = 1,
-        .refract = 1,
-        .specular = 1,
-        .threads = a->threads,
-        .world = &m->built.machine,
-        .mips = m->mips,
-        .filter = b->tex_filter,
-        .lod = a->levels,
-        .spread = sph_machine_effect(&m->built.machine, SPH_EFFECT_SPREAD)};
-    double start = cpu_now();
-    int rc = sph_reference_render(scene, &how, &m->reference, err);
-    m->reference_seconds = cpu_now() - start;
-    return rc;
-}
 
 /* reference | model | difference: a pixel that is right but for its sphere shows blue. */
 static int draw(const char *path, const struct measured *m, struct sph_error *err) {
-    struct sph_frame truth = m->shot.frame;
+    const struct sph_frame *drawn = &m->trial.shot.frame;
+    struct sph_frame truth = *drawn;
     size_t n = (size_t)truth.width * (size_t)truth.height;
     truth.pixels = malloc(n * sizeof *truth.pixels);
     if (!truth.pixels) return sph_fail(err, "%s: no memory for the picture", path);
     for (size_t i = 0; i < n; i++) {
-        truth.pixels[i] = m->shot.frame.pixels[i];
-        truth.pixels[i].id = m->reference.pixels[i].id;
+        truth.pixels[i] = drawn->pixels[i];
+        truth.pixels[i].id = m->yardstick.reference.pixels[i].id;
         for (int layer = 0; layer < SPH_FRAMES; layer++)
-            truth.pixels[i].colour[layer] = m->reference.pixels[i].colour[layer];
+            truth.pixels[i].colour[layer] = m->yardstick.reference.pixels[i].colour[layer];
     }
-    int rc = sph_image_write_difference(path, &truth, &m->shot.frame, SPH_FRAMES - 1, err);
+    int rc = sph_image_write_difference(path, &truth, drawn, SPH_FRAMES - 1, err);
     sph_frame_free(&truth);
     return rc;
 }
 
 static void print(FILE *to, const struct measured *m) {
-    const struct sph_accuracy *e = &m->accuracy;
+    const struct sph_accuracy *e = &m->trial.accuracy;
     const struct sph_image_error *image = &e->image;
     const struct sph_estimate *expected = &m->built.expected;
     if (!to) return;
@@ -160,8 +112,8 @@ static void print(FILE *to, const struct measured *m) {
     if (e->x >= 0) fprintf(to, ", by %.3f at x %d y %d", e->t_worst, e->x, e->y);
     fprintf(to, "\nexpected   %.2f dB, %.1f pixels of silhouette and other sphere, %.3g pixels off",
             expected->psnr, expected->wrong * (double)image->pixels, expected->pixels);
-    fprintf(to, "\ntime       model %.3f s, reference %.3f s of processor\n", m->model_seconds,
-            m->reference_seconds);
+    fprintf(to, "\ntime       model %.3f s, reference %.3f s of processor\n", m->trial.seconds,
+            m->yardstick.seconds);
 }
 
 static json_t *accuracy_json(const struct sph_accuracy *e) {
@@ -190,24 +142,29 @@ static json_t *accuracy_json(const struct sph_accuracy *e) {
 static int measure(const struct arguments *a, const struct sph_scene *scene, struct measured *m,
                    struct sph_error *err) {
     if (a->source.build.texture != SPH_OFF && sph_mips_load(scene, &m->mips, err)) return -1;
-    m->numbers = malloc((scene->n_spheres + scene->n_facets + 1ull) * sizeof *m->numbers);
-    if (!m->numbers) return sph_fail(err, "%s: no memory for the numbers of primitives", a->input);
+    struct sph_trial *t = &m->trial;
+    t->numbers = malloc((scene->n_spheres + scene->n_facets + 1ull) * sizeof *t->numbers);
+    if (!t->numbers) return sph_fail(err, "%s: no memory for the numbers of primitives", a->input);
     struct tool_source source = a->source;
-    source.build.numbers = m->numbers;
+    source.build.numbers = t->numbers;
+    source.build.mips = m->mips;
     if (tool_build_scene(&source, scene, m->mips, &m->built, err)) return -1;
-    if (run_model(a, m, err) || run_reference(a, scene, m, err)) return -1;
+    t->machine = m->built.machine;
+    t->report = m->built.report;
+    source.build.width = t->machine.regs[SPH_REG_FRAME_W];
+    source.build.height = t->machine.regs[SPH_REG_FRAME_H];
+    if (a->truth >= 0) source.build.max_depth = a->truth;
+    if (sph_yardstick_make(scene, &source.build, 0, a->levels, a->threads, &m->yardstick, err) ||
+        sph_trial_draw(&m->yardstick, a->threads, t, err))
+        return -1;
     json_t *report = report_new("accuracy");
     report_text(report, "input", a->input);
-    report_machine(report, &m->built.machine);
+    report_machine(report, &t->machine);
     report_build(report, &m->built);
-    report_shot(report, &m->shot); /* its hash is of the machine's ids */
-    sph_accuracy_number(m->numbers, &m->shot.frame, m->trails);
-    struct sph_accuracy_frame f = {
-        &m->built.machine,         &m->shot.frame,           m->trails, m->built.report.lights,
-        m->built.report.eye.ahead, m->built.report.eye.wider};
-    m->accuracy = sph_accuracy_measure(&f, &m->reference);
-    m->levels = sph_levels_measure(&m->shot.frame, &m->reference);
-    if ((a->frame && sph_shot_write(&m->shot, a->frame, err)) ||
+    report_shot(report, &t->shot); /* its hash is of the machine's ids */
+    sph_trial_judge(&m->yardstick, t);
+    m->levels = sph_levels_measure(&t->shot.frame, &m->yardstick.reference);
+    if ((a->frame && sph_shot_write(&t->shot, a->frame, err)) ||
         (a->picture && draw(a->picture, m, err))) {
         json_decref(report);
         return -1;
@@ -216,13 +173,13 @@ static int measure(const struct arguments *a, const struct sph_scene *scene, str
     print_build(to, &m->built);
     print(to, m);
     print_levels(to, &m->levels);
-    json_object_set_new(report, "accuracy", accuracy_json(&m->accuracy));
+    json_object_set_new(report, "accuracy", accuracy_json(&m->trial.accuracy));
     if (m->levels.pixels) {
         json_object_set_new(report, "levels", levels_json(&m->levels));
-        json_object_set_new(report, "level_work", level_work_json(&m->reference.work));
+        json_object_set_new(report, "level_work", level_work_json(&m->yardstick.reference.work));
     }
-    report_number(report, "cpu_seconds", m->model_seconds);
-    report_number(report, "reference_cpu_seconds", m->reference_seconds);
+    report_number(report, "cpu_seconds", m->trial.seconds);
+    report_number(report, "reference_cpu_seconds", m->yardstick.seconds);
     return report_write(report, a->json, err);
 }
 
@@ -251,11 +208,8 @@ int tool_accuracy(int argc, char **argv) {
         return tool_failed(&err);
     struct measured m = {0};
     int rc = measure(&a, &scene, &m, &err);
-    sph_machine_free(&m.built.machine);
-    sph_frame_free(&m.shot.frame);
-    sph_reference_free(&m.reference);
-    free(m.trails);
-    free(m.numbers);
+    sph_trial_free(&m.trial);
+    sph_yardstick_free(&m.yardstick);
     sph_mips_free(m.mips, scene.n_textures);
     sph_scene_free(&scene);
     return rc ? tool_failed(&err) : TOOL_GOOD;

@@ -132,6 +132,7 @@ int tool_build(int argc, char **argv) {
     struct arguments a = {.source = tool_source_default};
     struct tool_built built;
     struct sph_error err = {""};
+    a.source.effects = TOOL_EFFECTS_MET;
     tool_parse(&argp, argc, argv, 0, &a);
 
     if (tool_is_machine(a.input)) {

@@ -1,4 +1,4 @@
-/* json.h - members of JSON reports; docs/reference/report_schema.md
+/* json.h - members of JSON reports; docs/reference/tool.md
  * SPDX-License-Identifier: Apache-2.0
  */
 #ifndef SPH_TOOL_JSON_H

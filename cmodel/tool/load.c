@@ -12,6 +12,7 @@
 #include "scene/aff.h"
 #include "scene/generate.h"
 #include "tool/tool.h"
+#include "trial/met.h"
 #include "validate/validate.h"
 
 int tool_is_machine(const char *path) {
@@ -64,7 +65,7 @@ int tool_profile(const struct tool_source *source, const struct sph_scene *scene
                  struct sph_error *err) {
     *choice = (struct sph_profile_choice){.first = build->profile};
     if (!source->profile_auto) return 0;
-    if (sph_choose_profile(scene, build, &source->keep, choice, err)) return -1;
+    if (sph_choose_profile(scene, build, &source->bound, choice, err)) return -1;
     build->profile = choice->first;
     return 0;
 }
@@ -78,12 +79,16 @@ int tool_build_scene(const struct tool_source *source, const struct sph_scene *s
     built->skipped = scene->n_skipped;
     o.mips = mips;
     if (tool_frame_size(source, scene, &o, err)) return -1;
-    if (sph_build_kept(scene, &o, source->profile_auto, &source->keep, &choice, &built->machine,
-                       report, err))
+    int (*build)(const struct sph_scene *, struct sph_build_options *, int,
+                 const struct sph_error_bound *, struct sph_profile_choice *, struct sph_machine *,
+                 struct sph_build_report *, struct sph_error *) =
+        source->effects == TOOL_EFFECTS_MET ? sph_build_met : sph_build_kept;
+    if (build(scene, &o, source->profile_auto, &source->bound, &choice, &built->machine, report,
+              err))
         return -1;
     built->expected = choice.estimate[o.profile];
     if (source->profile_auto)
-        sph_profile_why(&choice, &source->keep, o.profile, built->profile_why,
+        sph_profile_why(&choice, &source->bound, o.profile, built->profile_why,
                         sizeof built->profile_why);
     return 0;
 }

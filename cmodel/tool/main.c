@@ -19,7 +19,7 @@ static const struct {
     {"background", tool_background}, {"texels", tool_texels}, {"accuracy", tool_accuracy},
     {"reference", tool_reference},   {"export", tool_export}, {"operations", tool_operations},
     {"load", tool_load_board},       {"view", tool_view},     {"movie", tool_movie},
-    {"trees", tool_trees},
+    {"trees", tool_trees},           {"price", tool_price},
 };
 enum { N_COMMANDS = sizeof commands / sizeof *commands };
 
@@ -36,6 +36,7 @@ static const char doc[] =
     "  background   the ways of background separation, compared on a scene\n"
     "  texels   orders of texels in memory, compared by the hits of caches\n"
     "  accuracy     a scene through model and double reference: what the arithmetic costs\n"
+    "  price    what accuracy costs in time: profiles of a scene beside each other\n"
     "  reference    the double reference alone: picture, frame file\n"
     "  export   scene file for POV-Ray\n"
     "  operations   arithmetic of the test of ray and sphere, as four texts have it\n"

@@ -22,7 +22,8 @@ enum {
     KEY_LOD,
     KEY_LOD_BITS,
     KEY_SAMPLES,
-    KEY_ERROR
+    KEY_ERROR,
+    KEY_EFFECTS
 };
 
 static const struct argp_option options[] = {
@@ -54,6 +55,10 @@ static const struct argp_option options[] = {
      "mean "
      "of its light (1)",
      1},
+    {"effects", KEY_EFFECTS, "WHICH", 0,
+     "those that rays of the frame meet, which is drawn once to find out (met: `build` does so by "
+     "default), or all that the scene names (all: the other commands)",
+     1},
     {"traverse", KEY_TRAVERSE, "HOW", 0,
      "primary rays find the nearest hit (default), or end at the first one, as in the paper", 1},
     {"lod-bits", KEY_LOD_BITS, "N", 0, "bits of the fraction of a level, 0 to 8 (8)", 1},
@@ -70,14 +75,15 @@ const struct tool_source tool_source_default = {
     .samples = 1,
     .loss = 0.1,
     .profile_auto = 1,
-    .keep = {SPH_KEEP_PIXELS, SPH_KEEP_PSNR},
+    .bound = {SPH_ERROR_BOUND_PIXELS, SPH_ERROR_BOUND_PSNR},
     .build = SPH_BUILD_DEFAULT,
 };
 
 const char *const tool_filter_names[] = {"nearest", "bilinear", "level", "between", NULL};
 
 /* PIXELS or PIXELS,DB */
-static void keep(const struct argp_state *state, const char *arg, struct sph_keep *to) {
+static void parse_error_bound(const struct argp_state *state, const char *arg,
+                              struct sph_error_bound *to) {
     size_t n = strcspn(arg, ",");
     double off = 0, psnr = to->psnr;
     char pixels[32] = "";
@@ -88,7 +94,7 @@ static void keep(const struct argp_state *state, const char *arg, struct sph_kee
                    "--error: '%s' is no error such as 0.125 or 0.125,45: pixels from 1e-9 to "
                    "1e9, and dB up to 99",
                    arg);
-    *to = (struct sph_keep){off, psnr};
+    *to = (struct sph_error_bound){off, psnr};
 }
 
 /* off, on, auto or auto:PERCENT */
@@ -121,6 +127,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     struct tool_source *s = state->input;
     struct sph_error err = {{0}};
     static const char *const lods[] = {"mended", "paper", NULL};
+    static const char *const whiches[] = {"all", "met", NULL};
     switch (key) {
     case ARGP_KEY_INIT:
         for (int i = 0; i < 3; i++)
@@ -134,7 +141,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         s->build.widths = &s->profile;
         break;
     case KEY_ERROR:
-        keep(state, arg, &s->keep);
+        parse_error_bound(state, arg, &s->bound);
         break;
     case KEY_TREE:
         s->build.tree = numbers[tool_choice(state, "--tree", arg, trees)];
@@ -162,6 +169,9 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     case KEY_SAMPLES:
         s->samples = (int)tool_number(state, "--samples", arg, 1, TOOL_SAMPLES);
         return 0; /* for machines too */
+    case KEY_EFFECTS:
+        s->effects = tool_choice(state, "--effects", arg, whiches);
+        break;
     case KEY_TRAVERSE:
         s->build.traverse = SPH_BUILD_NEAREST + tool_choice(state, "--traverse", arg, hows);
         break;

@@ -30,8 +30,17 @@ static void print_effects(FILE *to, const struct sph_build_report *b) {
         const struct sph_effect_report *e = &b->effects[i];
         char on[16];
         snprintf(on, sizeof on, sph_parts[i].most > 1 ? "%d" : "on", e->on);
-        fprintf(to, "effect   %-14s %-3s %s\n", e->name, e->on ? on : "off", e->why);
+        fprintf(to, "effect   %-14s %-3s %s%s\n", e->name, e->on ? on : "off",
+                e->left_out && !e->on ? "left out: " : "", e->why);
     }
+}
+
+void print_left_out(FILE *to, const struct sph_build_report *b) {
+    if (!to) return;
+    for (int i = 0; i < SPH_REPORTS; i++)
+        if (b->effects[i].left_out)
+            fprintf(to, "left out %s: %s\n", b->effects[i].name, b->effects[i].why);
+    print_lines(to, "left out ", b->left_out);
 }
 
 void print_build(FILE *to, const struct tool_built *built) {
@@ -54,6 +63,7 @@ void print_build(FILE *to, const struct tool_built *built) {
     fprintf(to, "tree     %s: %u nodes on %u levels, %.3f s%s%s\n", sph_machine_tree_name(m),
             b->nodes, b->depth, b->build_seconds, b->tree_why[0] ? ", " : "", b->tree_why);
     print_effects(to, b);
+    print_lines(to, "left out ", b->left_out);
     if (b->bases_computed)
         fprintf(to, "bases    %" PRIu64 " made: levels of textured primitives\n",
                 b->bases_computed);

@@ -16,6 +16,9 @@ FILE *print_stream(const char *json_path);
 /* What build found out; warnings go to stderr. */
 void print_build(FILE *to, const struct tool_built *built);
 
+/* What build left out, as no ray of the frame, or of any, meets it: effects and primitives. */
+void print_left_out(FILE *to, const struct sph_build_report *report);
+
 /* What a hierarchy is like: nodes, leaves, depth, bytes. */
 void print_bih(FILE *to, const struct sph_machine *m, const struct sph_bih_stats *stats);
 

@@ -56,6 +56,7 @@ void report_machine(json_t *report, const struct sph_machine *m) {
         if (sph_parts[i].bit >= 0 && sph_machine_effect(m, sph_parts[i].bit))
             json_array_append_new(effects, json_string(sph_parts[i].word));
     report_add(machine, "effects", effects);
+    report_add(machine, "one_camera", json_boolean(r[SPH_REG_ONE_CAMERA]));
     report_number(machine, "grid_step", ldexp(1.0, m->grid_log2));
     report_add(report, "machine", machine);
 }
@@ -81,6 +82,7 @@ static json_t *effects_of(const struct sph_build_report *b) {
         report_count(entry, "on", (uint64_t)e->on);
         report_count(entry, "called", (uint64_t)e->called);
         report_text(entry, "why", e->why);
+        report_add(entry, "left_out", json_boolean(e->left_out));
         json_array_append_new(list, entry);
     }
     return list;
@@ -125,6 +127,7 @@ void report_build(json_t *report, const struct tool_built *built) {
     report_bases(build, b);
     if (b->cut.pixels) report_add(build, "planes_cut", cut_of(&b->cut));
     report_add(build, "effects", effects_of(b));
+    report_add(build, "left_out", lines(b->left_out));
     report_add(build, "background", lines(b->background));
     report_add(build, "warnings", lines(b->warning));
     report_add(report, "build", build);

@@ -1,4 +1,4 @@
-/* report.h - JSON reports of the commands; docs/reference/report_schema.md
+/* report.h - JSON reports of the commands; docs/reference/tool.md
  * SPDX-License-Identifier: Apache-2.0
  */
 #ifndef SPH_TOOL_REPORT_H

@@ -10,6 +10,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "builder/emit.h"
 #include "common/output.h"
 #include "image/mips.h"
 #include "scene/motion.h"
@@ -18,6 +19,7 @@
 #include "tool/movie.h"
 #include "tool/print.h"
 #include "tool/progress.h"
+#include "trial/met.h"
 
 void tool_frames_parse(const struct argp_state *state, const char *arg,
                        struct tool_frames *frames) {
@@ -67,6 +69,7 @@ struct run {
     struct sph_mip *mips;
     struct sph_texture_bases bases;
     struct sph_kept_tree kept;
+    struct sph_census met; /* by the rays of all frames */
     struct sph_build_options options;
 };
 
@@ -78,7 +81,29 @@ static int build_frame(struct run *run, uint32_t frame, struct tool_built *built
     built->from_scene = 1;
     built->skipped = moved.n_skipped;
     int rc = sph_build(&moved, &run->options, &built->machine, &built->report, err);
+    if (!rc && run->options.numbers) /* what it is built for is to find out what is met */
+        rc = sph_census_add(&run->met, &moved, &run->options, &built->machine, &built->report, err);
     sph_scene_at_free(&moved);
+    return rc;
+}
+
+/* Finds out what the rays of all frames do not meet. */
+static int census(struct run *run, const struct tool_frames *frames, struct sph_error *err) {
+    const struct sph_build_options options = run->options;
+    size_t n = (size_t)run->rest.n_spheres + run->rest.n_facets + 1;
+    int rc = 0;
+    run->options.numbers = calloc(n, sizeof *run->options.numbers);
+    if (!run->options.numbers) return sph_fail(err, "%s: no memory", run->rest.path);
+    for (uint32_t frame = frames->first; !rc && frame <= frames->last; frame++) {
+        struct tool_built built;
+        rc = build_frame(run, frame, &built, err);
+        if (!rc) sph_machine_free(&built.machine);
+        run->options.later = 1;
+        if (run->met.kept) break;
+    }
+    free(run->options.numbers);
+    run->options = options;
+    if (!rc) run->options.unmet = sph_census_unmet(&run->met, &run->rest, &run->options);
     return rc;
 }
 
@@ -134,9 +159,13 @@ int tool_each_frame(const char *path, const struct tool_source *source,
     if (spares(path, &run.rest, source, frames, err)) return sph_scene_free(&run.rest), -1;
     int rc = run.options.texture == SPH_OFF ? 0 : sph_mips_load(&run.rest, &run.mips, err);
     if (!rc) rc = tool_frame_size(source, &run.rest, &run.options, err);
-    if (!rc) rc = choose(&run, source, frames, err);
-    if (!rc) rc = sph_bases_start(&run.bases, &run.rest, err);
     run.options.mips = run.mips;
+    if (!rc) rc = choose(&run, source, frames, err);
+    if (!rc && source->effects == TOOL_EFFECTS_MET) {
+        rc = census(&run, frames, err);
+        if (!rc) rc = choose(&run, source, frames, err); /* lights may be gone */
+    }
+    if (!rc) rc = sph_bases_start(&run.bases, &run.rest, err);
     run.options.kept = &run.kept;
     run.options.bases = &run.bases;
     for (uint32_t frame = frames->first; !rc && frame <= frames->last; frame++) {
@@ -151,7 +180,13 @@ int tool_each_frame(const char *path, const struct tool_source *source,
         report_bases(entry, &built.report);
         report_time(entry, &built);
         run.options.later = 1;
-        if (frame == frames->first) print_build(NULL, &built); /* warnings alone */
+        if (frame == frames->first) {
+            print_build(NULL, &built); /* warnings alone */
+            if (run.met.kept)
+                sph_note(built.report.left_out, sizeof built.report.left_out, "nothing: %s\n",
+                         run.met.kept);
+            print_left_out(to, &built.report);
+        }
         if (to)
             fprintf(to,
                     "frame %-5" PRIu32 " bases %" PRIu64 " made, %" PRIu64
@@ -164,6 +199,7 @@ int tool_each_frame(const char *path, const struct tool_source *source,
         json_array_append_new(list, entry);
         sph_machine_free(&built.machine);
     }
+    sph_census_free(&run.met);
     sph_bases_end(&run.bases);
     sph_kept_free(&run.kept);
     sph_mips_free(run.mips, run.rest.n_textures);

@@ -30,6 +30,7 @@ int tool_reference(int argc, char **argv);
 int tool_export(int argc, char **argv);
 int tool_operations(int argc, char **argv);
 int tool_trees(int argc, char **argv);
+int tool_price(int argc, char **argv);
 int tool_load_board(int argc, char **argv);
 int tool_view(int argc, char **argv);
 int tool_movie(int argc, char **argv);
@@ -69,22 +70,25 @@ enum { TOOL_SAMPLES = 16 }; /* the most */
 
 enum { TOOL_AUTO, TOOL_BVH4, TOOL_BIH, TOOL_BRUTE, TOOL_BOX4 };
 
+enum { TOOL_EFFECTS_ALL, TOOL_EFFECTS_MET }; /* that the scene names; that rays of the frame meet */
+
 struct tool_source {
     struct sph_build_options build;
     struct sph_read_options read;
-    struct sph_profile profile;  /* what build.widths points to, if --profile was given */
-    int profile_auto;            /* the scene's own */
-    struct sph_keep keep;        /* what it is to keep */
-    int accel, tree_given;       /* TOOL_AUTO ..; --tree was given */
-    int refit;                   /* SPH_REFIT_*: of frames behind the first of several */
-    double loss;                 /* of SPH_REFIT_AUTO */
-    int samples;                 /* across and down a pixel: the frame is as many times larger */
-    const char *bih_option;      /* the last option given that is for a BIH alone */
-    const char *spans_option;    /* that is for --background spans alone */
-    int levels_given;            /* --bg-levels, for --background exact */
-    int every_background;        /* the command compares them all */
-    const char *option;          /* the last build option given, NULL if none */
-    struct tool_outputs outputs; /* of the command: none may be a file that is read */
+    struct sph_profile profile;   /* what build.widths points to, if --profile was given */
+    int profile_auto;             /* the scene's own */
+    struct sph_error_bound bound; /* what its profile must not miss */
+    int accel, tree_given;        /* TOOL_AUTO ..; --tree was given */
+    int refit;                    /* SPH_REFIT_*: of frames behind the first of several */
+    double loss;                  /* of SPH_REFIT_AUTO */
+    int samples;                  /* across and down a pixel: the frame is as many times larger */
+    const char *bih_option;       /* the last option given that is for a BIH alone */
+    const char *spans_option;     /* that is for --background spans alone */
+    int levels_given;             /* --bg-levels, for --background exact */
+    int every_background;         /* the command compares them all */
+    int effects;                  /* TOOL_EFFECTS_* */
+    const char *option;           /* the last build option given, NULL if none */
+    struct tool_outputs outputs;  /* of the command: none may be a file that is read */
 };
 
 /* Options of build, for every command that takes a scene; its input is a struct tool_source. */

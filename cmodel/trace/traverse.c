@@ -15,30 +15,31 @@
 
 static struct sph_hit brute(const struct sph_machine *m, const struct sph_ray *ray,
                             struct sph_counters *c, uint32_t *errors) {
-    struct sph_probe probe = sph_probe_of(m, ray, c, errors);
+    struct sph_ray_query query = sph_ray_query_of(m, ray, c, errors);
     uint32_t n = (uint32_t)m->regs[SPH_REG_N_PRIMS];
-    uint32_t spheres = probe.whole ? (uint32_t)m->regs[SPH_REG_N_SPHERES] : n;
+    uint32_t spheres = query.whole ? (uint32_t)m->regs[SPH_REG_N_SPHERES] : n;
     for (uint32_t id = 0; id < n;
          id++) { /* a sphere's primitive record begins with its leaf record */
-        probe.whole = id >= spheres;
-        size_t base = (uint32_t)m->regs[probe.whole ? SPH_REG_FACET_BASE : SPH_REG_PRIM_BASE];
-        sph_leaf_visit(&probe, sph_line(m, base + (probe.whole ? id - spheres : id)));
-        if (ray->kind == SPH_SHADOW && probe.best.key) break;
+        query.whole = id >= spheres;
+        size_t base = (uint32_t)m->regs[query.whole ? SPH_REG_FACET_BASE : SPH_REG_PRIM_BASE];
+        sph_leaf_visit(&query, sph_line(m, base + (query.whole ? id - spheres : id)));
+        if (ray->kind == SPH_SHADOW && query.best.key) break;
     }
-    return probe.best;
+    return query.best;
 }
 
 /* Depth of what has a key; boxes have their own. */
-static int32_t depth(const struct sph_probe *probe, const struct sph_bih_ray *bih, uint64_t key) {
-    return bih ? sph_box_depth(sph_bih_time(bih, key)) : sph_ray_depth(probe->p, probe->ray, key);
+static int32_t depth(const struct sph_ray_query *query, const struct sph_bih_ray *bih,
+                     uint64_t key) {
+    return bih ? sph_box_depth(sph_bih_time(bih, key)) : sph_ray_depth(query->p, query->ray, key);
 }
 
 struct sph_hit sph_traverse(const struct sph_machine *m, const struct sph_ray *ray, int how,
                             struct sph_counters *c, uint32_t *visits, uint32_t *errors) {
     if (how == SPH_TRAVERSE_BRUTE) return brute(m, ray, c, errors);
     if (sph_machine_bih(m)) return sph_bih_walk(m, ray, c, visits, errors, NULL);
-    struct sph_probe probe = sph_probe_of(m, ray, c, errors);
-    const struct sph_hit *best = &probe.best;
+    struct sph_ray_query query = sph_ray_query_of(m, ray, c, errors);
+    const struct sph_hit *best = &query.best;
     struct sph_siblings now = {0}, stack[SPH_STACK_DEPTH];
     int sp = 0, ends = sph_ray_any(ray);
     int32_t depth_max = ray->depth_max;
@@ -48,7 +49,7 @@ struct sph_hit sph_traverse(const struct sph_machine *m, const struct sph_ray *r
 
     if (m->regs[SPH_REG_TREE] == SPH_TREE_BOX4) {
         bih = &planes;
-        sph_bih_setup(probe.p, ray, bih);
+        sph_bih_setup(query.p, ray, bih);
         depth_max = sph_box_depth(bih->limit);
     } else if (ray->stages) {
         const struct sph_across *x = &ray->across;
@@ -70,9 +71,9 @@ struct sph_hit sph_traverse(const struct sph_machine *m, const struct sph_ray *r
         uint64_t key_before = best->key;
         for (uint32_t j = 0; found.leaves >> j; j++)
             if (found.leaves >> j & 1)
-                sph_leaf_visit(&probe, sph_record(m, probe.whole, found.line, j));
+                sph_leaf_visit(&query, sph_record(m, query.whole, found.line, j));
         if (ends && best->key) return *best;
-        if (best->key != key_before) depth_max = depth(&probe, bih, best->key);
+        if (best->key != key_before) depth_max = depth(&query, bih, best->key);
 
         if (found.inner.count && found.inner.list[0].near <= depth_max) {
             if (now.count) {

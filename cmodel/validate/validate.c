@@ -154,6 +154,7 @@ static int check_memory(const struct sph_machine *m, struct sph_error *err) {
     RANGE(ROOT, 0, r[SPH_REG_PRIM_BASE] - 1);
     RANGE(VISIT_LIMIT, 1, 0xffffff);
     RANGE(TREE, 1, SPH_TREE_LAST);
+    RANGE(ONE_CAMERA, 0, 1);
     return 0;
 }
 

@@ -1,7 +1,7 @@
 /* script.h - inputs of the live view from a file, line by line
  * SPDX-License-Identifier: Apache-2.0
  *
- * docs/guide/view.md has the language. Reading it knows nothing of time or windows.
+ * docs/reference/tool.md has the language. Reading it knows nothing of time or windows.
  */
 #ifndef SPH_VIEW_SCRIPT_H
 #define SPH_VIEW_SCRIPT_H

@@ -5,7 +5,7 @@
  *                  `--> makers: machine, double reference
  *
  * The thread that calls view_run() takes inputs and shows pictures, and never waits for more than
- * a pixel: docs/guide/view.md has how.
+ * a pixel: docs/reference/tool.md has how.
  */
 #ifndef SPH_VIEW_H
 #define SPH_VIEW_H

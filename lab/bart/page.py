@@ -1,4 +1,4 @@
-# page.py - puts the tables of docs/results/bart.md in their places
+# page.py - puts the tables of docs/results/texture_results.md in their places
 # SPDX-License-Identifier: Apache-2.0
 """FOLDER has what runs.py says, a SCENE is NAME:MIDDLE:FRAME,FRAME...."""
 from functools import lru_cache, partial
@@ -205,4 +205,4 @@ def main(page, folder, size, *scenes):
     data = Frames(folder, size, scenes)
     made = {"frames": frames, "levels": levels, "operations": operations, "caches": caches,
             "clocks": clocks, "memory": memory, "sequence": sequence}
-    place(page, "make bart", {name: partial(table, data) for name, table in made.items()})
+    place(page, "make bart", {"bart_" + name: partial(table, data) for name, table in made.items()})

@@ -1,4 +1,4 @@
-# runs.py - Table I of the texture paper on the scenes that it names: docs/results/bart.md
+# runs.py - Table I of the texture paper on its scenes: docs/results/texture_results.md
 # SPDX-License-Identifier: Apache-2.0
 """The folder BART of the environment has scene_kitchen, scene_museum and scene_robot as BART's
 authors pack them: aff/ and TextureFiles/ in each. Nothing of it is kept but figures. BUILD/bart
@@ -102,6 +102,6 @@ def tasks(build):
 
 
 def tables(place, build):
-    """docs/results/bart.md, from what is there."""
+    """docs/results/texture_results.md, from what is there."""
     page.main(place, f"{build}/bart", SIZE, *(
         f"{name}:{s.middle}:{','.join(map(str, s.frames))}" for name, s in SCENES.items()))

@@ -22,7 +22,7 @@ for table in Path("docs/results/data").glob("accuracy.*.tsv"):
 
 def page_of(*options):
     shutil.copy("docs/results/accuracy.md", page)
-    ran = subprocess.run([sys.executable, "-m", "lab", "study-page", *options, page, results,
+    ran = subprocess.run([sys.executable, "-m", "lab", "accuracy-page", *options, page, results,
                           folder + "/plots"],
                          check=True, stdout=subprocess.PIPE, text=True)
     text = ran.stdout + markdown.REGION.sub("", Path(page).read_text(encoding="utf-8"))
@@ -84,7 +84,8 @@ step = row(rows, "`draft` to `standard`")[0]
 assert step[1:3] == ["14.5", "+544.8"], step
 assert "70.0 (1 2 3 4; 1.5)" in [r[2] for r in row(rows, "`paper100`")]
 assert row(rows, "W", "`standard:w=14`")[0][2] == "-"
-assert "Yosys 0.23 ([area.md](" in Path(page).read_text(encoding="utf-8"), "a link was taken"
+text = Path(page).read_text(encoding="utf-8")
+assert "Yosys 0.23 ([speed_and_area.md](" in text, "a link was taken"
 assert "2 plots" in said, said
 for name in "multipliers", "luts":
     svg = f"{folder}/docs/pictures/accuracy/pareto_{name}.svg"

@@ -84,8 +84,11 @@ end
 
 
 def registers(text):
-    return subprocess.run(["awk", "-f", "synth/placed.awk"], input=text, check=False, text=True,
-                          stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    netlist = sys.argv[1] + "/netlist.il"
+    with open(netlist, "w", encoding="utf-8") as f:
+        f.write(text)
+    return subprocess.run([sys.executable, "-m", "lab", "placed-between", netlist], check=False,
+                          text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
 
 
 made = registers(NETLIST).stdout

@@ -1,7 +1,8 @@
 # asks.py - what every scene asks for: the core that just draws it, as `sphaera info` says
 # SPDX-License-Identifier: Apache-2.0
-"""Writes the lists of scenes/ and its folders into docs/results/data/asks.tsv; those of
-scenes/effects stand in effects.txt there. tests/builder/test_effects_scenes.c holds both."""
+"""All that scenes name, whether rays of the frame meet it or not. Writes the lists of scenes/ and
+its folders into docs/results/data/asks.tsv; those of scenes/effects stand in effects.txt there.
+tests/builder/test_effects_scenes.c holds both."""
 import subprocess
 import tempfile
 import textwrap
@@ -39,7 +40,7 @@ def asked(tool, scene):
     with tempfile.TemporaryDirectory() as folder:
         machine = folder + "/machine.sph"
         subprocess.run([tool, "build", scene, "--profile", "standard", "--size", "64x36",
-                        "--accel", "bvh4", "-o", machine],
+                        "--accel", "bvh4", "--effects", "all", "-o", machine],
                        check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         info = subprocess.run([tool, "info", machine], check=True, stdout=subprocess.PIPE,
                               text=True).stdout

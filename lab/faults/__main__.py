@@ -8,8 +8,8 @@ import sys
 from concurrent.futures import ThreadPoolExecutor
 
 from .. import intact
+from ..benches import Broken
 from . import records, table
-from .benches import Broken
 from .planted import Planting, Shop
 
 MOST = 20   # messages of what is wrong in lists

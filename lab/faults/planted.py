@@ -17,8 +17,10 @@ import subprocess
 import tempfile
 import threading
 
-from . import benches, programs
-from .benches import Broken
+from .. import benches
+from ..benches import Broken
+from ..benches.run import make_tools
+from . import programs
 from .records import planted
 
 PATIENCE = 1800     # seconds of one judge
@@ -132,10 +134,7 @@ class Shop:
         if kinds & {"bench", "case", "top"}:
             efforts = {line.effort() for judge in judges if judge.kind in ("bench", "case")
                        for line in self.matching(judge)} or {"-O1"}
-            for effort in sorted(efforts):
-                self.must(["flock", f"{self.build}/sim/.tools.lock", "make", "-s",
-                           "--no-print-directory", "-f", "make/verilated.mk", f"B={self.build}",
-                           f"OPT={effort}", "bench-tools"], say)
+            make_tools(self.build, efforts)
         if kinds & {"core", "textured", "piped", "agree"}:
             self.must(["sh", "sim/core.sh", "--help"], lambda text: None, BUILD=self.build)
         if "top" in kinds:

@@ -4,7 +4,7 @@ import glob
 import os
 import subprocess
 
-from .benches import Broken
+from ..benches import Broken
 
 COMPILER = ("gcc", "-std=c11", "-D_GNU_SOURCE")
 SANITIZE = "-O1 -fsanitize=address,undefined -fno-sanitize-recover=all".split()

@@ -30,7 +30,7 @@ import os
 import re
 from dataclasses import dataclass, field
 
-from . import benches
+from .. import benches
 
 LISTS = "tests/faults/*.txt"
 FOLDERS = {"model": "cmodel", "rtl": "rtl", "formal": "formal"}

@@ -50,7 +50,7 @@ def _rows(items, value):
 
 def parameters(module):
     """Those that effects() of machine.py has not."""
-    told = {row[1] for row in machine.parts()}
+    told = {e.core for e in machine.definition().effects.values()}
     items = [item for item in _read(module)[0] if item.name not in told]
     return markdown.entries((f"{names} = {default}", meaning) for names, default, meaning
                             in _rows(items, lambda item: item.default))

@@ -1,22 +1,20 @@
 # machine.py - what cmodel/machine/machine.def defines, as tables and lists
 # SPDX-License-Identifier: Apache-2.0
 import re
-import subprocess
+from functools import lru_cache
 from pathlib import Path
 
+from sim.definition import Definition
+
+from ..generate.top import Registers
 from . import markdown
 
-DEF = Path("cmodel/machine/machine.def")
+definition = lru_cache(maxsize=None)(Definition)
 
 
 def rows(kind):
-    """The words of each line of a kind, up to its comment or all of them."""
-    found = []
-    for line in DEF.read_text().splitlines():
-        word = line.split("#")[0].split()
-        if word and word[0] == kind:
-            found.append(word[1:])
-    return found
+    """The words of each line of a kind, behind it."""
+    return [words for first, words in definition().rows if first == kind]
 
 
 def constants():
@@ -37,7 +35,7 @@ def registers():
                             for first, last, name, meaning in merged)
 
 
-FORMAT = DEF.with_name("format.h")
+FORMAT = Path("cmodel/machine/format.h")
 
 
 def file_format():
@@ -74,29 +72,20 @@ def file_header():
 
 def top_registers():
     """Those of rt_top, as its bus sees them."""
-    return subprocess.run(["awk", "-v", "lang=page", "-f", DEF.with_name("gen_top.awk"),
-                           "VERSION", DEF, DEF.with_name("top.def")], check=True, text=True,
-                          stdout=subprocess.PIPE).stdout.rstrip()
-
-
-def parts():
-    """[word, parameter, bit, most, in `all`, needs, excludes, meaning] of what a core can do."""
-    listed = subprocess.run(["sim/cores.py", "parameters", "--table"], check=True, text=True,
-                            stdout=subprocess.PIPE).stdout
-    return [line.split("\t") for line in listed.splitlines()]
+    return Registers(definition()).table()
 
 
 def effects():
     """Word, parameter with its default and range, the bit of EFFECTS by which a machine asks."""
-    def told(about, needs, excludes):
-        words = [f"needs {needs}"] * bool(needs) + [f"goes without {excludes}"] * bool(excludes)
-        return "; ".join([about] + [text.replace(",", ", ") for text in words])
+    def told(e):
+        words = [f"needs {', '.join(e.needs)}"] * bool(e.needs)
+        words += [f"goes without {', '.join(e.excludes)}"] * bool(e.excludes)
+        return "; ".join([e.about, *words])
 
-    def name(word, core, bit, most, whole):
-        asked = f", bit {bit}" * bool(bit)
-        return f"`{word}`, `{core}` = {whole} (0..{most}{asked})"
-    return markdown.entries((name(word, core, bit, most, whole), told(about, needs, excludes))
-                            for word, core, bit, most, whole, needs, excludes, about in parts())
+    def name(e):
+        asked = f", bit {e.bit}" * (e.bit is not None)
+        return f"`{e.name}`, `{e.core}` = {e.all} (0..{e.most}{asked})"
+    return markdown.entries((name(e), told(e)) for e in definition().effects.values())
 
 
 def counters():

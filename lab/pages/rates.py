@@ -23,7 +23,7 @@ PARK_MHZ = 84  # the clock of Park et al. 2011
 
 def bart_core(row):
     """A scene's frames have the profile of its middle one."""
-    head, found = data.read("bart.frames")
+    head, found = data.read("texture_results.bart_frames")
     profile = next(r[head.index("profile")] for r in found if r[0] == row["scene"])
     return clocks.key(profile, BART, SIZES=BART_SIZES, PIPES=row["pipes"])
 
@@ -104,18 +104,20 @@ RATES = {
     "accuracy": Rate("accuracy.costs", ["profile", "a pixel", "LUT4eq", "FF", "DP16KD", "MULT"],
                      "a pixel", "96x54", lambda row: clocks.key(row["profile"], SPHERES),
                      ["MHz", "ms a frame"]),
-    "bart": Rate("bart.clocks", ["scene", "pipes", "clocks a pixel"], "clocks a pixel", "800x480",
-                 bart_core, [*OURS, CLOCK_FOR_CLOCK], ("the paper's",)),
+    "bart": Rate("texture_results.bart_clocks", ["scene", "pipes", "clocks a pixel"],
+                 "clocks a pixel", "800x480", bart_core, [*OURS, CLOCK_FOR_CLOCK],
+                 ("the paper's",)),
     "textures": Rate("texture_results.speed", ["scene", "filter", "a pixel"], "a pixel", "800x480",
                      lambda row: clocks.key("standard", TEXTURED), [*OURS, CLOCK_FOR_CLOCK],
                      ("the paper's",)),
-    "pipes": Rate("pipes.rate", ["scene", "pipes", "clocks a pixel"], "clocks a pixel", "1280x720",
+    "pipes": Rate("speed_and_area.pipes_rate", ["scene", "pipes", "clocks a pixel"],
+                  "clocks a pixel", "1280x720",
                   lambda row: clocks.key("standard", PIPES, PIPES=row["pipes"]),
                   [*OURS, "million rays/s", "MHz for 30 frames/s"]),
-    "scenarios": Rate("scenarios.full", ["scenario, spheres", "tree", "cycles a pixel"],
+    "scenarios": Rate("trees.bih_full", ["scenario, spheres", "tree", "cycles a pixel"],
                       "cycles a pixel", "640x1088",
                       lambda row: clocks.key("standard", THESIS + "+bih"), OURS),
-    "moving": Rate("moving.rates", ["scenario, spheres", "tree", "build, ms", "refit, ms",
+    "moving": Rate("trees.moving", ["scenario, spheres", "tree", "build, ms", "refit, ms",
                                     "upload, million clocks", "draw, million clocks",
                                     "more refitted, %"],
                    "draw, million clocks", "640x1088", moving_core,

@@ -45,5 +45,5 @@ def make(name):
         raise Unknown(f"no region is called `{name}`; there are {', '.join(sorted(MAKERS))}")
     try:
         return MAKERS[maker](*arguments)
-    except (TypeError, KeyError, cores.Unmeasured) as fault:
+    except (TypeError, KeyError, OSError, cores.Unmeasured) as fault:
         raise Unknown(f"region `{name}`: {fault}") from fault

@@ -66,7 +66,7 @@ def bits(span, macros):
 
 def lines(path):
     """(file, number, text) of each line; an `include within a list of parameters is that file.
-    Lines of sim/bundles.sh, which tell a bundle's fields, are left out."""
+    Lines of make layout that tell a bundle's fields, are left out."""
     for number, line in enumerate(Path(path).read_text().splitlines(), 1):
         include = re.match(r'\s+`include "(\w+\.vh)"$', line)
         if include:

@@ -1,7 +1,7 @@
 # claims.py - what the three papers claim, and what became of it
 # SPDX-License-Identifier: Apache-2.0
 """A row for each claim: where it stands, what the paper says, what is found here, the command that
-shows it, and a word of VERDICTS. Names in braces are rows of docs/results/data/claims.*.tsv, of
+shows it, and a word of VERDICTS. Names in braces are rows of docs/results/data/papers.*.tsv, of
 MEASURED, which page.py made of this experiment's runs, or rates of told(); other numbers are of the
 page that the row links."""
 import re
@@ -47,7 +47,7 @@ BORODAVKA = [
      "1280x720. Rows and columns join the points by stairs: of {outline_left_out} pixels, by real "
      "numbers, {outline_between} lie between straight lines through the same points, the others "
      "beyond the lines. Two points for each pixel of the radius are needed; 64 leave out "
-     "{outline_64} at 160x90 ([background.md](background.md#the-accurate-method-step-by-step))",
+     "{outline_64} at 160x90 ([effects.md](effects.md#the-accurate-method-step-by-step))",
      "make background", "refuted"),
     ("V.B", "3 additions, 5 multiplications, 4 sines and cosines a point",
      "with sines kept a row: 2.1 of them, 10.7 additions, 9.3 multiplications and 1.2 divisions a "
@@ -63,10 +63,10 @@ BORODAVKA = [
      "the centre at 1.4 R cos(v), which is less than R from there on. In `off_axis` it stands at "
      "{square_point} degrees: {square_beyond} pixels that "
      "see the sphere around all are outside of the square, and {square_lost} lose their sphere "
-     "([background.md](background.md#the-fast-method))", "make background", "refuted"),
+     "([effects.md](effects.md#the-fast-method))", "make background", "refuted"),
     ("Fig. 5 to 8", "the root sphere's pixels: points, rows, columns and border; the square",
      "each step drawn, with the pixels that it leaves out in red "
-     "([background.md](background.md#the-accurate-method-step-by-step)); Figures 1 to 4, 9 and 13 "
+     "([effects.md](effects.md#the-accurate-method-step-by-step)); Figures 1 to 4, 9 and 13 "
      "explain, and show no result", "make background", "same in kind"),
     ("VI.A", "11 multiplications and 11 additions",
      "{paper_mul} and {paper_add}, R^2 being stored", "build/sphaera operations scenes/paper5.nff",
@@ -155,13 +155,14 @@ PARK = [
     ("5, Fig. 1", "texture mapping unit, ray stack, triangle and texture cache",
      "[rt_texture](../design/textures.md#rt_texture); of two rays at a hit one goes, and the other "
      "waits "
-     "with its path in a place for each depth ([rt_rays](../design/refraction.md#rt_refract)), "
+     "with its path in a place for each depth ([rt_rays](../design/shading.md#rt_refract)), "
      "which is the "
      "paper's ray stack; without refraction no ray waits", "make test ONLY=test_core_texture",
      "built"),
     ("6", "all scenes tend to higher levels",
      "so do ours; shares differ with how images are laid. In the paper's own "
-     "([bart.md](bart.md#table-i-levels)) the robot's are the paper's, the museum's nearly",
+     "([texture_results.md](texture_results.md#bart-levels)) the robot's are the paper's, the "
+     "museum's nearly",
      "make textures", "same in kind"),
     ("Table I", "61, 60, 1, 2, 1 operations for BMRT's levels",
      "15, 24, 2, 2, 1 for the estimate of section 3; no list of the 61 is given", "make textures",
@@ -171,12 +172,12 @@ PARK = [
      "9, 9, 1, 1, 2: the mended formula is shorter", "make textures", "other"),
     ("Table I", "hit rates of 74 to 80 % without, 94 to 99 % with MIP-mapping",
      "51 to 53 %, and 91 to 96 %; in its own scenes 58 to 77 %, and 83 to 96 % "
-     "([bart.md](bart.md#table-i-cache)); a cache line holds 8 texels, of the paper's nothing is "
-     "told", "make textures", "same in kind"),
+     "([texture_results.md](texture_results.md#bart-cache)); a cache line holds 8 texels, of the "
+     "paper's nothing is told", "make textures", "same in kind"),
     ("Table I", "3.7, 6.3, 6.4 frames a second",
      "in its own scenes, clock for clock, {bart_1} with one pipe, {bart_2} with two, by frames of "
      "the RTL, with all lights and two reflections; the cores that drew them are {bart_clock} "
-     "([bart.md](bart.md))",
+     "([texture_results.md](texture_results.md#the-texture-papers-own-scenes))",
      "make bart BART=FOLDER", "other"),
     ("Table I", "MIP-mapping adds 5 to 24 % frames a second",
      "up to 8 % behind an SDRAM, twofold and more with a tenth of its bytes, else nothing",
@@ -218,7 +219,7 @@ AROXA = [
     ("Table 4.2", "statistics of three scenarios",
      "Scenario 1 to the last number, the others in kind", "make scenarios", "same"),
     ("Fig. 4.1", "three scenarios", "drawn below; how they are made, says "
-     "[scenarios.md](scenarios.md#scenes)", "make papers", "same in kind"),
+     "[trees.md](trees.md#scenes)", "make papers", "same in kind"),
     ("Fig. 4.2", "recursion depths 1 to 5", "`scenes/refraction/four.nff`; depth 5 is `--depth 4`",
      "build/sphaera render scenes/refraction/four.nff --depth 4 --depths -o four.png",
      "same in kind"),
@@ -233,10 +234,10 @@ AROXA = [
      "most does not depend on leaves as small: keys of hits on the plane in {keys_least} to "
      "{keys_most} % of the clocks, the set-up of rays for planes in {setup_least} to {setup_most} "
      "%. With BIH 16 exact tests bind as well, in up to {records_most} % "
-     "([scenarios.md](scenarios.md#figure-44-speed))", "make scenarios-rtl", "other"),
+     "([trees.md](trees.md#figure-44-speed))", "make scenarios-rtl", "other"),
     ("Fig. 4.4", "787 to 1495 % more frames than brute force",
      "5.5 to 43 times in the RTL, 8 and 9 in Scenario 1 with 64 spheres at 640x1088 "
-     "([scenarios.md](scenarios.md#figure-44-speed))",
+     "([trees.md](trees.md#figure-44-speed))",
      "make scenarios-rtl", "same in kind"),
     ("IV.F", "Scenario 2 gains most by a BIH, Scenario 3 least",
      "3 gains least with 64, 128 and 256 spheres, 2 most with 256 alone", "make scenarios-rtl",
@@ -250,21 +251,22 @@ AROXA = [
      "make scenarios-rtl", "other"),
     ("Fig. 4.5", "150 kB to 6.2 kB; BIH 16 saves 82.5 % of Scenario 2 and 73.99 % of Scenario 1",
      "170 kB to 6.1 kB, 84.8 % and 80.3 %: random places give more optimized nodes, and our "
-     "lattice is cut evenly ([scenarios.md](scenarios.md#figure-45-memory))", "make scenarios",
+     "lattice is cut evenly ([trees.md](trees.md#figure-45-memory))", "make scenarios",
      "same in kind"),
     ("III.A", "the tree is built anew for every frame",
      "all spheres of the scenarios moving, with build and upload: a frame takes {moving_100} "
      "million clocks with 100 spheres, {moving_10000} over a BIH with 10 000, and the CPU waits "
-     "for the core; frames a second: {moving_rate} ([moving.md](moving.md))", "make moving",
+     "for the core; frames a second: {moving_rate} ([trees.md](trees.md#everything-moves))",
+     "make moving",
      "same in kind"),
     ("V.A", "7 to 15 times as fast as brute force", "see Figure 4.4", "make scenarios-rtl",
      "same in kind"),
     ("V.A", "good speed needs no heuristic in the build",
      "a tree by surface area draws paper100 {heuristic} times as fast as the best BIH does; "
-     "visits of nodes bind both ([scenarios.md](scenarios.md#beside-the-other-trees))",
+     "visits of nodes bind both ([trees.md](trees.md#beside-the-other-trees))",
      "make scenarios-rtl", "other"),
     ("V.B", "other platforms",
-     "hardware that any host may drive ([mutants.md](mutants.md#the-life-of-a-host))",
+     "hardware that any host may drive ([verification.md](verification.md#the-life-of-a-host))",
      "make host", "built"),
     ("V.B", "other primitives", "triangles, planes, cones and cylinders as triangles; parametric "
      "and algebraic surfaces have to be cut into such", "make sim SCENE=facets/room", "built"),
@@ -280,7 +282,7 @@ PAPERS = {"borodavka": BORODAVKA, "park": PARK, "aroxa": AROXA}
 
 def told():
     """What rows name of clocks, and of frames a second that follow."""
-    values = dict(data.read("claims.values")[1])
+    values = dict(data.read("papers.values")[1])
     core = clocks.key("standard", PARTS_CORE)
     found = {"hd_rate": listed(dict.fromkeys(
         clocks.frames(core, 1280 * 720 * float(values["hd_" + scene])) for scene in PARTS))}
@@ -300,13 +302,13 @@ def told():
 
 def leaves_told():
     """Of Figure 4.4: which leaves are best, and the least and the most of what binds."""
-    head, rows = data.read("scenarios.cycles")
+    head, rows = data.read("trees.bih_cycles")
     times = [[float(cell.split(":")[0]) for cell in row[1:]] for row in rows]
     ways = [name.split()[1] for name in head[1:]]
     best = [ways[row.index(min(row))] for row in times]
     often = max(set(best), key=best.count)
     gains = [100 * (row[0] / min(row) - 1) for row in times]
-    head, rows = data.read("scenarios.limits")
+    head, rows = data.read("trees.bih_limits")
 
     def parts(name, *columns):
         found = [re.search(rf"(?:^|, ){name} (\d+) %", row[head.index(column)])
@@ -316,7 +318,7 @@ def leaves_told():
     keys, setup = parts("keys of facets", *few), parts("rays set up for planes", *few)
     records = parts("exact tests", "BIH 16")
     none = parts("none", "brute")
-    head, rows = data.read("scenarios.tree_cycles")
+    head, rows = data.read("trees.bih_tree_cycles")
     draws = {row[1]: float(row[2]) for row in rows if row[0] == "paper100"}
     heuristic = min(v for way, v in draws.items() if way.startswith("bih")) / draws["reinserted"]
     return {"heuristic": f"{heuristic:.1f}", "best_leaf": often,
@@ -334,7 +336,7 @@ def listed(words):
 def table(paper):
     """The rows of a paper as its page shows them. A row has a command, or is not built, and does
     not put its answer off."""
-    values = dict(row for table in MEASURED for row in data.read(f"claims.{table}")[1])
+    values = dict(row for table in MEASURED for row in data.read(f"papers.{table}")[1])
     values |= told()
     rows = []
     for place, says, here, command, verdict in PAPERS[paper]:

@@ -1,4 +1,4 @@
-# measure.py - runs what the tables of docs/results/claims.md are made of, once
+# measure.py - runs what the tables of docs/results/papers.md are made of, once
 # SPDX-License-Identifier: Apache-2.0
 """PART: functions of this file, all if none is named. Leaves NAME.json in FOLDER for each run of
 the model, NAME.core.json for those of the RTL. A result that is younger than the tool is kept."""

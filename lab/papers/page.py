@@ -1,4 +1,4 @@
-# page.py - puts the tables of docs/results/claims.md in their places
+# page.py - puts the tables of docs/results/papers.md in their places
 # SPDX-License-Identifier: Apache-2.0
 """FOLDER is what measure.py left, SYNTH the folder of synthesised cores."""
 import math
@@ -52,7 +52,7 @@ def searched(folder):
         counters, n = run["counters"], run["machine"]["spheres"]
         # the root sphere, which the core does not test, is one of the paper's
         tests = 1 + counters["child_tests"] / counters["rays_primary"]
-        found[name] = n, run["build"]["depth"], tests
+        found[name] = n, run["build"]["depth"] + 1, tests     # spheres are a level of the paper's
     return dict(sorted(found.items(), key=lambda item: (item[0].startswith("column"), item[1][0])))
 
 

@@ -45,7 +45,7 @@ def mosaic(name, across, *sources, pad=0, then=()):
 
 
 def main(folder, shown):
-    """The three meanings, and what measure.py left, as docs/results/claims.md shows them."""
+    """The three meanings, and what measure.py left, as docs/results/papers.md shows them."""
     body = bytes(c for y in range(SIDE) for meaning in MEANINGS for x in range(SIDE)
                  for c in pixel(meaning, x, y))
     with open(f"{folder}/triple.ppm", "wb") as f:

@@ -33,4 +33,4 @@ def rows(bench):
 def main(build, page):
     head = ["scene", "pipes", "clocks a pixel", "rays a pixel"]
     place(page, "make board-rate", {
-        "rate": report.table(head, list(rows(cores.Bench(build, SIZE))), 2)})
+        "pipes_rate": report.table(head, list(rows(cores.Bench(build, SIZE))), 2)})

@@ -31,4 +31,4 @@ def main(build, page):
         counts = cells(build, core)
         rows.append([core.name(), *(counts[column] for column in COLUMNS)])
     table = report.table(["pipes", *(heads[column] for column in COLUMNS)], rows + [DEVICE])
-    place(page, "make pipes-cells", {"cells": table})
+    place(page, "make pipes-cells", {"pipes_cells": table})

@@ -33,4 +33,4 @@ def rows(bench):
 def main(build, page):
     bench = cores.Bench(build, SIZE)
     head = ["scene", *(core.name() for core in RULE + [FEW]), "4 against 1"]
-    place(page, "make pipes", {"cycles": report.table(head, list(rows(bench)))})
+    place(page, "make pipes", {"pipes_cycles": report.table(head, list(rows(bench)))})

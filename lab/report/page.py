@@ -6,6 +6,7 @@ import sys
 import zlib
 from array import array
 
+from .. import price
 from . import html, wrong
 from .html import bar, number, text
 from .roof import roof
@@ -159,11 +160,22 @@ def head(run):
             f'<dl class="figures">{cells}</dl>')
 
 
+def costs(run):
+    """What other profiles would cost; nothing of a scene that is not built at once."""
+    name = run.folder / "price.json"
+    if not name.exists():
+        return ""
+    table = json.loads(name.read_text("utf-8"))["price"]
+    return ("<h2>What accuracy costs in time</h2>" + price.rows(table)
+            + f'<p class="soft">{text(table["says"])}. Clocks by the work of the model; '
+            "<code>make price</code> has more.</p>")
+
+
 def page(run):
     at, drawn = run.first_wrong(), planes(run)
     repeat = run.folder / "command"
     body = head(run) + wrong.section(run, at) + pictures(run, at) + maps(run, drawn) + cycles(run) \
-        + roof(run) + counters(run) + machine_words(run) + effects(run)
+        + roof(run) + costs(run) + counters(run) + machine_words(run) + effects(run)
     if repeat.exists():
         body += "<h2>Again</h2>" + html.command("again", repeat.read_text("utf-8").strip())
     return html.whole(f"{run.report['scene']}, {run.report['profile']}: model and RTL", body)

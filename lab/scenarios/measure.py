@@ -1,4 +1,4 @@
-# measure.py - runs what the tables of docs/results/scenarios.md are made of, once
+# measure.py - runs what the tables of docs/results/trees.md are made of, once
 # SPDX-License-Identifier: Apache-2.0
 """Leaves NAME.json in FOLDER for each machine: what build and render report, times of several runs.
 A result that is younger than the tool is kept, of the RTL if it is younger than that too. --rtl

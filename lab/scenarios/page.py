@@ -1,4 +1,4 @@
-# page.py - puts the tables of docs/results/scenarios.md in their places
+# page.py - puts the tables of docs/results/trees.md in their places
 # SPDX-License-Identifier: Apache-2.0
 """FOLDER is what measure.py left. Without the RTL's runs the tables that have cycles stay as they
 are."""
@@ -173,9 +173,9 @@ def tree_cycles(folder):
 
 def main(page, folder):
     place(page, "make scenarios", {
-        "statistics": lambda: statistics(folder), "listing": lambda: listing(folder),
-        "memory": lambda: memory(folder), "time": lambda: speed(folder, time_ratio),
-        "work": lambda: speed(folder, work), "cycles": lambda: speed(folder, cycle_ratio),
-        "limits": lambda: speed(folder, speed_limit, ["brute"]),
-        "full": lambda: full(folder), "trees": lambda: trees(folder),
-        "tree_cycles": lambda: tree_cycles(folder)})
+        "bih_statistics": lambda: statistics(folder), "bih_listing": lambda: listing(folder),
+        "bih_memory": lambda: memory(folder), "bih_time": lambda: speed(folder, time_ratio),
+        "bih_work": lambda: speed(folder, work), "bih_cycles": lambda: speed(folder, cycle_ratio),
+        "bih_limits": lambda: speed(folder, speed_limit, ["brute"]),
+        "bih_full": lambda: full(folder), "bih_trees": lambda: trees(folder),
+        "bih_tree_cycles": lambda: tree_cycles(folder)})

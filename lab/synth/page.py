@@ -1,4 +1,4 @@
-# page.py - puts the tables of docs/results/area.md in their places
+# page.py - puts the tables of docs/results/speed_and_area.md in their places
 # SPDX-License-Identifier: Apache-2.0
 """A table stands between `<!-- NAME -->` and `<!-- end -->`; NAME is a target, effects, modules or
 profiles."""

@@ -1,19 +1,59 @@
-# cocotb_run.py - builds cocotb_top.v in Icarus and runs the tests of cocotb_top.py
+# cocotb_run.py - builds rt_top with IDs on its buses in Icarus and runs the tests of cocotb_top.py
 # SPDX-License-Identifier: Apache-2.0
 """NAME=VALUE: parameters of the core. Exits with 1 if a test fails."""
+import re
 from pathlib import Path
 
 from cocotb_tools.check_results import get_results
 from cocotb_tools.runner import get_runner
 
+BUSES = r"clk|rst|irq_o|s_axil_\w+|m_scene_\w+|m_frame_\w+"   # no display, nobody reads frames
+# what cocotbext-axi asks for besides, always 0
+IDS = {"m_scene_arid": "output", "m_scene_rid": "input", "m_frame_awid": "output",
+       "m_frame_bid": "input"}
+WRAPPER = """\
+`timescale 1ns / 1ps
+`default_nettype none
+`include "rt_layout.vh"
+module cocotb_top #(
+    parameter DATA = 64
+) (
+{ports}
+);
+    assign {{m_scene_arid, m_frame_awid}} = 2'b00;
+    rt_top #({parameters}) u_top (
+{connections}
+    );
+endmodule
+`default_nettype wire
+"""
+
+
+def wrapper(parameters):
+    """rt_top with the ports of its buses and their IDs."""
+    head = Path("rtl/top/rt_top.v").read_text(encoding="utf-8").partition("\n);")[0]
+    ports, connections = [], []
+    for way, bits, name in re.findall(r"^    (input|output) +wire *(\[.*?\])? *(\w+)", head, re.M):
+        if re.fullmatch(BUSES, name):
+            ports.append(f"    {way} wire {bits} {name}")
+        zero = f"{{{bits[1:-3]}+1{{1'b0}}}}" if bits else "1'b0"
+        of = name if re.fullmatch(BUSES, name) else zero if way == "input" else ""
+        connections.append(f"        .{name}({of})")
+    ports += [f"    {way} wire {name}" for name, way in IDS.items()]
+    return WRAPPER.format(ports=",\n".join(ports), connections=",\n".join(connections),
+                          parameters=", ".join(f".{name}({value})" for name, value in parameters))
+
 
 def main(folder, machine, frame, data, *parameters):
     sources = sorted(path for path in Path("rtl").rglob("*.v") if "board" not in path.parts)
     runner = get_runner("icarus")
-    core = ", ".join(".{}({})".format(*parameter.split("=")) for parameter in parameters)
-    runner.build(sources=[*sources, Path("tb/top/cocotb_top.v")], hdl_toplevel="cocotb_top",
+    top = Path(folder, "cocotb_top.v")
+    top.parent.mkdir(parents=True, exist_ok=True)
+    top.write_text(wrapper([("DATA", "DATA"), *(word.split("=") for word in parameters)]),
+                   encoding="utf-8")
+    runner.build(sources=[*sources, top], hdl_toplevel="cocotb_top",
                  includes=sorted({path.parent for path in Path("rtl").rglob("*.vh")}),
-                 build_args=["-g2005"], defines={"CORE_PARAMETERS": core},
+                 build_args=["-g2005"],
                  parameters={"DATA": data}, build_dir=folder, always=True)
     results = runner.test(test_module="lab.top.cocotb_top", hdl_toplevel="cocotb_top",
                           build_dir=folder, test_dir=folder, extra_env={

@@ -1,7 +1,7 @@
 # frames.py - time to image of the frames that make sim TOP=1 drew
 # SPDX-License-Identifier: Apache-2.0
 """Joins build.json of the CPU side and frames.tsv of the harness: prints a table and leaves
-FOLDER/report.json (docs/reference/report_schema.md)."""
+FOLDER/report.json (docs/reference/tool.md)."""
 import csv
 import json
 import os

@@ -1,8 +1,7 @@
 #!/usr/bin/env python3
 # measure.py - draws scenes with POV-Ray, the double reference and the model, and compares
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab truth-scenes TOOL FOLDER [NAME...]
-Leaves NAME.json and NAME.png in FOLDER for each scene of scenes.py, or for those named; a result
+"""Leaves NAME.json and NAME.png in FOLDER for each scene of scenes.py, or for those named; a result
 that is younger than the tool is kept. Of surfaces in one place exact numbers are the judge, not
 POV-Ray: exact/NAME.json. Says what to install and exits with 1 without POV-Ray."""
 import json
@@ -10,6 +9,7 @@ import os
 import shutil
 import subprocess
 import sys
+import tempfile
 
 from .. import intact
 from . import doubt, exact, pictures, scenes
@@ -188,3 +188,13 @@ def main(tool, folder, *names):
             runner.coincident(name, path)
         else:
             runner.scene(name, path, scenes.depth(path))
+
+
+def scale(tool, folder):
+    """FOLDER/scale.txt: scenes of other sizes and places, as tests/tool/test_scale.sh measures."""
+    said = os.path.abspath(f"{folder}/scale.txt")
+    with tempfile.TemporaryDirectory() as made:
+        part = f"{made}/scale.txt"
+        subprocess.run(["sh", "tests/tool/test_scale.sh"], check=True, stdout=subprocess.DEVNULL,
+                       env=dict(os.environ, TMP=made, SPHAERA=os.path.abspath(tool), SCALE=part))
+        shutil.copyfile(part, said)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-# page.py - puts the tables of docs/results/truth.md in their places, and its pictures beside it
+# page.py - puts the tables of docs/results/accuracy.md in their places, and its pictures beside it
 # SPDX-License-Identifier: Apache-2.0
 """usage: python3 -m lab truth-page PAGE FOLDER PICTURES
 FOLDER is what measure.py left. A picture that the page shows is copied to PICTURES. A dash: the
@@ -126,9 +126,9 @@ def scale(folder):
 def main(page, folder, shown):
     found = results(folder)
     made = {"reference": reference, "model": model, "wrong": wrong, "why": why, "below": below}
-    alone = {"scale": lambda: scale(folder), "coincident": lambda: coincident(folder)}
+    alone = {"truth_scale": lambda: scale(folder), "truth_coincident": lambda: coincident(folder)}
     place(page, "make truth", alone | {
-        name: lambda table=table: None if lacking(found) else table(found)
+        "truth_" + name: lambda table=table: None if lacking(found) else table(found)
         for name, table in made.items()})
     Path(shown).mkdir(parents=True, exist_ok=True)
     text = Path(page).read_text(encoding="utf-8")

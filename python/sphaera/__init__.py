@@ -19,8 +19,10 @@ number of them may use the same object."""
 from ._library import Error, version
 from .frame import Frame
 from .machine import Hit, Machine
+from .price import Price, Row
 from .scene import Scene, parse, read
 
 NONE = Frame.NONE
 __version__ = version()
-__all__ = ["Error", "Frame", "Hit", "Machine", "NONE", "Scene", "parse", "read", "version"]
+__all__ = ["Error", "Frame", "Hit", "Machine", "NONE", "Price", "Row", "Scene", "parse",
+           "read", "version"]

@@ -4,8 +4,19 @@ from typing import Any, Optional, Union
 
 from ._library import PathLike, c_text, ffi, lib, made
 from .machine import Machine
+from .price import Price, price_of
 
 Switch = Optional[bool]  # None: as the scene asks for
+
+
+def options_of(profile: str, accel: str, width: int, height: int, depth: int) -> Any:
+    """Options of build; and the words that they point to, which must live as long."""
+    options = ffi.new("sphaera_build_options *")
+    lib.sphaera_build_init(options)
+    words = [ffi.new("char[]", c_text(word)) for word in (profile, accel)]
+    options.profile, options.accel = words
+    options.width, options.height, options.depth = width, height, depth
+    return options, words
 
 
 class Scene:
@@ -37,17 +48,30 @@ class Scene:
 
         Error: a word or number that is none of these, an image that cannot be read, a scene that
         the profile has no room for."""
-        options = ffi.new("sphaera_build_options *")
-        lib.sphaera_build_init(options)
-        words = [ffi.new("char[]", c_text(word)) for word in (profile, accel)]  # kept alive
-        options.profile, options.accel = words
-        options.width, options.height, options.depth = width, height, depth
+        options, words = options_of(profile, accel, width, height, depth)
         for name, on in (("shadow", shadow), ("reflect", reflect), ("refract", refract),
                          ("specular", specular), ("texture", texture)):
             if on is not None:
                 setattr(options, name, lib.SPHAERA_ON if on else lib.SPHAERA_OFF)
-        return Machine(made(lib.sphaera_build, lib.sphaera_machine_free, "sphaera_machine",
-                            self._pointer, options))
+        machine = made(lib.sphaera_build, lib.sphaera_machine_free, "sphaera_machine",
+                       self._pointer, options)
+        del words
+        return Machine(machine)
+
+    def price(self, *, profile: str = "auto", accel: str = "auto", width: int = 0, height: int = 0,
+              depth: int = 2, keep_pixels: float = 0, keep_psnr: float = 0, most: int = 0) -> Price:
+        """What accuracy costs in time, as `sphaera price` tells: a row for each profile, or the one
+        that is named; words as of build().
+
+        keep_pixels, keep_psnr   what a row is to keep, as of --error; both 0: its default
+        most                     pixels of a sample, 0: the whole frame
+
+        Error: as of build(), but a profile that has no room for the scene is a row that says so."""
+        options, words = options_of(profile, accel, width, height, depth)
+        found = price_of(made(lib.sphaera_price_measure, lib.sphaera_price_free, "sphaera_price",
+                              self._pointer, options, keep_pixels, keep_psnr, most))
+        del words
+        return found
 
     def __repr__(self) -> str:
         return f"<sphaera.Scene of {self.spheres} spheres, {self.facets} triangles and planes>"

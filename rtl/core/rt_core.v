@@ -201,6 +201,7 @@ module rt_core #(
     wire [ENGINES*EW-1:0]  events;
     wire [ENGINES-1:0]     issued;
     wire [ENGINES*16-1:0]  faults;
+    wire [ENGINES-1:0]     left_out;
     genvar e;
     generate
         for (e = 0; e < ENGINES; e = e + 1) begin : g_engine
@@ -212,17 +213,14 @@ module rt_core #(
             wire [`RT_PIXEL_BITS-1:0] pix;
             rt_engine #(
                 `include "rt_effects_pass.vh"
-                .ACCEL(BOXES != 0 ? 2 : ACCEL), .COARSE(COARSE), .PIPES(PIPES),
+                `include "rt_shade_pass.vh"
+                .ACCEL(BOXES != 0 ? 2 : ACCEL), .PIPES(PIPES),
                 .LEAF_UNITS(LEAF_COUNT), .SHADES(SHADE_UNITS), .SETUPS(SETUP_UNITS),
                 .SLOTS(ALL_SLOTS), .SQUARES(LUT_SQUARES), .LUTS(SPARE_LUTS),
                 .STACK(`RT_STACK_DEPTH), .NODE_LINES(NODE_UNIT), .LEAF_LINES(LEAF_UNIT),
-                .TEXTURE_LINES(TEXTURE_LINES), .TEXTURE_WAYS(TEXTURE_WAYS),
-                .TEXTURE_GROUP(TEXTURE_GROUP), .TEXTURE_COORDS(TEXTURE_COORDS),
-                .ROOTS(ROOT_UNITS), .QUOTIENTS(QUOTIENTS), .DIVISIONS(KEY_UNITS),
-                .ROOT_STEP(ROOT_STEP), .QUOTIENT_STEP(QUOTIENT_STEP),
-                .DIVISION_STEP(DIVISION_STEP), .LEAF_INTERVAL(LEAF_INTERVAL),
-                .FACET_INTERVAL(FACET_CLOCKS), .UNITS(UNITS), .UNIT_INTERVAL(UNIT_INTERVAL),
-                .HIT_INTERVAL(HIT_INTERVAL), .BOUNCE_INTERVAL(BOUNCE_INTERVAL)
+                .ROOTS(ROOT_UNITS), .DIVISIONS(KEY_UNITS),
+                .ROOT_STEP(ROOT_STEP), .DIVISION_STEP(DIVISION_STEP), .LEAF_INTERVAL(LEAF_INTERVAL),
+                .FACET_INTERVAL(FACET_CLOCKS), .UNITS(UNITS), .UNIT_INTERVAL(UNIT_INTERVAL)
             ) u_engine (
                 .clk(clk), .rst(rst), .flush_i(go && !keep_two_q), .busy_o(e_busy[e]),
                 .regs_i(regs), .light_i(light),
@@ -235,7 +233,8 @@ module rt_core #(
                 .mem_rsp_ready_o(m_rsp_ready[READS*e +: READS]),
                 .mem_rsp_data_i(m_rsp_data), .mem_rsp_error_i(m_rsp_error),
                 .trace_event_o(event_e[0 +: TB]), .exact_event_o(event_e[TB +: XB]),
-                .shade_event_o(event_e[TB+XB +: HB]), .fault_o(faults[16*e +: 16])
+                .shade_event_o(event_e[TB+XB +: HB]), .fault_o(faults[16*e +: 16]),
+                .left_out_o(left_out[e])
             );
             assign p_data[PW*e +: PW] = pix[PW-1:0];
             // ---- events of its units, summed up ----
@@ -350,6 +349,7 @@ module rt_core #(
         if (fault[3]) errors_o[`RT_ERROR_BUS_ERROR]      <= 1'b1;
         if (start && missing_q) errors_o[`RT_ERROR_MISSING_EFFECT] <= 1'b1;
         if (start && foreign_q) errors_o[`RT_ERROR_WRONG_PROFILE]  <= 1'b1;
+        if (|left_out) errors_o[`RT_ERROR_LEFT_OUT] <= 1'b1;
         if (rst) errors_o <= 0;
     end
     // for benches: {turned away, taken, clocks of work}

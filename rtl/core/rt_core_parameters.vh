@@ -1,4 +1,4 @@
-// rt_core_parameters.vh - generated from machine.def by gen_layout.awk; do not edit
+// rt_core_parameters.vh - generated from machine.def by make layout; do not edit
 // SPDX-License-Identifier: Apache-2.0
 // All parameters of rt_core: the last of those of a module.
     `include "rt_effects.vh"

@@ -1,4 +1,4 @@
-// rt_core_pass.vh - generated from machine.def by gen_layout.awk; do not edit
+// rt_core_pass.vh - generated from machine.def by make layout; do not edit
 // SPDX-License-Identifier: Apache-2.0
 // rt_core_parameters.vh to an instance, by name: all that it is given.
         `include "rt_effects_pass.vh"

@@ -1,4 +1,4 @@
-// rt_core_rules.vh - generated from machine.def by gen_layout.awk; do not edit
+// rt_core_rules.vh - generated from machine.def by make layout; do not edit
 // SPDX-License-Identifier: Apache-2.0
 // Units of an engine, legal values of parameters, alone and together.
     localparam SHADE_UNITS = SHADES != 0 ? SHADES

@@ -1,4 +1,4 @@
-// rt_effects.vh - generated from machine.def by gen_layout.awk; do not edit
+// rt_effects.vh - generated from machine.def by make layout; do not edit
 // SPDX-License-Identifier: Apache-2.0
 // Widths and effects: the first of the parameters of a module.
     parameter W          = `RT_PROFILE_STANDARD_W, // coordinate, bits

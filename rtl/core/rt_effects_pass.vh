@@ -1,4 +1,4 @@
-// rt_effects_pass.vh - generated from machine.def by gen_layout.awk; do not edit
+// rt_effects_pass.vh - generated from machine.def by make layout; do not edit
 // SPDX-License-Identifier: Apache-2.0
 // rt_effects.vh to an instance, by name: the first that it is given.
         .W(W), .WD(WD), .PQ(PQ), .NG(NG), .FW(FW), .PR(PR), .SHADOW(SHADOW),

@@ -1,4 +1,4 @@
-// rt_bundles.vh - generated from bundles.def by sim/bundles.awk; do not edit
+// rt_bundles.vh - generated from bundles.def by make layout; do not edit
 // SPDX-License-Identifier: Apache-2.0
 // bus[`RT_RAY_ORG] is field ORG of a bus of `RT_RAY_BITS bits, a bundle ray
 `ifndef RT_BUNDLES_VH

@@ -1,6 +1,6 @@
 // rt_engine.v - pixels under way: set-up, traversal, exact tests, shading, slots
 // SPDX-License-Identifier: Apache-2.0
-// It only wires five groups together, as drawn in docs/design/engine.md; each bundle that they
+// It only wires five groups together, as drawn in docs/design/overview.md; each bundle that they
 // exchange has one source. A slot is {pipe, slot of its own}; its top bits name the leaf unit and
 // the shading unit that serve it.
 // Model: sph_render_pixel() in cmodel/engine/render_pixel.c, SLOTS pixels at once
@@ -10,6 +10,7 @@
 `include "rt_bundles.vh"
 module rt_engine #(
     `include "rt_effects.vh"
+    `include "rt_shade_parameters.vh"
     parameter PIPES      = 1,    // traversal pipes, 1..4
     parameter LEAF_UNITS = 1,    // leaf units, power of two, at most SHADES
     parameter SHADES     = 1,    // shading units, power of two
@@ -21,23 +22,14 @@ module rt_engine #(
     parameter ACCEL      = 0,    // 0: nodes of four spheres, 1: BIH, 2: nodes of four boxes
     parameter NODE_LINES = 256,  // node cache of a pipe
     parameter LEAF_LINES = 128,  // leaf and primitive cache of a leaf unit
-    parameter TEXTURE_LINES = 128, // texture cache of a shading unit
-    parameter TEXTURE_WAYS = 4,  // its groups of a set
-    parameter TEXTURE_GROUP = 1, // lines of a group
-    parameter TEXTURE_COORDS = 2, // units for texture coordinates
-    parameter COARSE     = 0,    // bits of a level's fraction that are rounded away
     parameter ROOTS      = 3,    // square root units
-    parameter QUOTIENTS  = 2,    // dividers
     parameter DIVISIONS  = 1,    // units of a leaf unit for keys of facets
     parameter ROOT_STEP  = 2,    // root bits a clock
-    parameter QUOTIENT_STEP = 2, // quotient bits a clock
     parameter DIVISION_STEP = 2, // bits of a facet's key a clock
     parameter LEAF_INTERVAL = 2, // clocks an exact test of a sphere
     parameter FACET_INTERVAL = 2, // clocks an exact test of a facet
     parameter UNITS      = 2,    // units for unit vectors
     parameter UNIT_INTERVAL = 2, // clocks a vector of each
-    parameter HIT_INTERVAL = 8,  // clocks a hit point and its normal
-    parameter BOUNCE_INTERVAL = 10, // clocks a mirrored direction
     parameter READS = PIPES + LEAF_UNITS + (TEXTURE != 0 ? SHADES : 0) // not to be set: readers
 ) (
     input  wire                       clk,
@@ -75,7 +67,8 @@ module rt_engine #(
     //: {MISS, PRIM[prim_event]}
     output wire [SHADES*`RT_SHADE_EVENT_BITS-1:0] shade_event_o,
     //: {MISS, TEXEL, POWER, SATURATED, QUOTIENT, REFRACTED, REFLECTED, SHADOW, PRIMARY}
-    output wire [15:0]                fault_o          // {slots, shade, exact, trace}
+    output wire [15:0]                fault_o,         // {slots, shade, exact, trace}
+    output wire                       left_out_o       // of shade, the error LEFT_OUT
 );
     localparam SLOTW   = $clog2(SLOTS), LB = `RT_LINE_BITS;
     localparam PB = $clog2(PIPES), XB = $clog2(LEAF_UNITS), SB = $clog2(SHADES),
@@ -145,10 +138,8 @@ module rt_engine #(
     );
     rt_shades #(
         `include "rt_effects_pass.vh"
-        .SHADES(SHADES), .SETUPS(SETUPS), .SLOTS(SLOTS), .LUTS(LUTS), .COARSE(COARSE),
-        .TEXTURE_LINES(TEXTURE_LINES), .TEXTURE_WAYS(TEXTURE_WAYS), .TEXTURE_GROUP(TEXTURE_GROUP),
-        .TEXTURE_COORDS(TEXTURE_COORDS), .QUOTIENTS(QUOTIENTS), .QUOTIENT_STEP(QUOTIENT_STEP),
-        .HIT_INTERVAL(HIT_INTERVAL), .BOUNCE_INTERVAL(BOUNCE_INTERVAL)
+        `include "rt_shade_pass.vh"
+        .SHADES(SHADES), .SETUPS(SETUPS), .SLOTS(SLOTS), .LUTS(LUTS)
     ) u_shades (
         .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i), .light_i(light_i), .ray_i(ray),
         .next_light_i(next_light), .next_slot_i(next_slot), .hit_i(hit), .blend_o(blend),
@@ -159,7 +150,8 @@ module rt_engine #(
         .texture_o(texture), .mem_req_valid_o(tex_req_valid), .mem_req_ready_i(tex_req_ready),
         .mem_req_line_o(tex_req_line), .mem_rsp_valid_i(tex_rsp_valid),
         .mem_rsp_ready_o(tex_rsp_ready), .mem_rsp_data_i(mem_rsp_data_i),
-        .mem_rsp_error_i(mem_rsp_error_i), .event_o(shade_event_o), .fault_o(fault_o[11:8])
+        .mem_rsp_error_i(mem_rsp_error_i), .event_o(shade_event_o), .fault_o(fault_o[11:8]),
+        .left_out_o(left_out_o)
     );
     generate
         if (TEXTURE != 0) begin : g_texture

@@ -8,7 +8,7 @@
 // A line of the cache is an aligned group of GROUP lines of memory; a miss fetches those of them
 // that memory has, and a line beyond it is answered with an error. mem_lines_i says where memory
 // ends; with GROUP > 1 every line is forgotten when it changes.
-// Why it is right: docs/design/memory.md.
+// Why it is right: docs/design/shared_units.md.
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"

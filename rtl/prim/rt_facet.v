@@ -39,7 +39,7 @@ module rt_facet #(
     output wire                       divide_o   // a key begins
 );
     localparam TAG  = $clog2(SLOTS) + `RT_ID_BITS;       // {slot, id}
-    localparam DW   = (2*W > 24 ? 2*W : 24) + WD + 1;    // det' (docs/design/facet.md)
+    localparam DW   = (2*W > 24 ? 2*W : 24) + WD + 1;    // det' (docs/design/primitives.md)
     localparam MW   = 3*W + 1 > W + 25 ? 3*W + 1 : W + 25;  // num'
     localparam VW   = (DW > MW ? DW : MW) + 1;           // det, num, Ui, signed
     localparam LATENCY = `RT_FACET_SUMS_LATENCY(W, WD, INTERVAL);

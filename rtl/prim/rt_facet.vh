@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // No include guard: Icarus 11 crashes if it keeps macros with arguments from file to file.
 
-// Bits of a difference or a component of dir; of a component of N or m (docs/design/facet.md).
+// Bits of a difference or a component of dir; of a component of N or m (docs/design/primitives.md).
 `define RT_FACET_NARROW(w, wd) ((w) + 1 > (wd) ? (w) + 1 : (wd))
 `define RT_FACET_LONGER(w, wd) ((w) + (wd) > 2*(w) ? (w) + (wd) + 1 : 2*(w) + 1)
 `define RT_FACET_WIDE(w, wd) (`RT_FACET_LONGER(w, wd) > 24 ? `RT_FACET_LONGER(w, wd) : 24)

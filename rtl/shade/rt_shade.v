@@ -11,17 +11,9 @@
 `include "rt_bundles.vh"
 module rt_shade #(
     `include "rt_effects.vh"
+    `include "rt_shade_parameters.vh"
     parameter SLOTS      = 64,   // rays in flight, power of two
-    parameter LUTS       = 0,    // LUT cells that a block RAM is worth, rt_slot_ram
-    parameter TEXTURE_LINES = 128, // texture cache
-    parameter TEXTURE_WAYS = 4,  // its groups of a set
-    parameter TEXTURE_GROUP = 1, // lines of a group
-    parameter TEXTURE_COORDS = 2, // units for texture coordinates
-    parameter COARSE     = 0,    // bits of a level's fraction that are rounded away
-    parameter QUOTIENTS  = 2,    // dividers
-    parameter QUOTIENT_STEP = 2, // quotient bits a clock
-    parameter HIT_INTERVAL = 8,  // clocks a hit point and its normal, 8 or 12
-    parameter BOUNCE_INTERVAL = 10 // clocks a mirrored direction, 10 or 12
+    parameter LUTS       = 0     // LUT cells that a block RAM is worth, rt_slot_ram
 ) (
     input  wire                       clk,
     input  wire                       rst,
@@ -80,7 +72,8 @@ module rt_shade #(
     // events and faults of this clock
     output wire [`RT_SHADE_EVENT_BITS-1:0] event_o,
     //: {MISS, TEXEL, POWER, SATURATED, QUOTIENT, REFRACTED, REFLECTED, SHADOW, PRIMARY}
-    output wire [3:0]                 fault_o          // by number of the error, machine.def
+    output wire [3:0]                 fault_o,         // by number of the error, machine.def
+    output wire                       left_out_o       // a record came that no ray was to meet
 );
     localparam SLOTW = $clog2(SLOTS);
     localparam SHADOWS = LIGHTS != 0 && SHADOW != 0 ? 1 : 0;           // shadow rays
@@ -146,6 +139,8 @@ module rt_shade #(
         end
     endgenerate
     assign fault_o[`RT_ERROR_BAD_NODE] = texture_bad || smooth_bad;
+    wire [255:0] record = prim_record[`RT_RECORD_DATA];
+    assign left_out_o = prim_record[`RT_RECORD_VALID] && record[`RT_PRIM_LEFT_OUT_LSB];
 
     // ---- where the next ray starts: at the surface, or where a refracted ray has waited ----
     wire [`RT_BACK_BITS-1:0] back;
@@ -256,6 +251,6 @@ module rt_shade #(
     assign event_o[`RT_SHADE_EVENT_SHADOW]    = shadow_go_o;
     assign event_o[`RT_SHADE_EVENT_REFLECTED] = SHARES != 0 ? reflected
                                                 : ray_go && !ray_i[`RT_RAY_PRIMARY];
-    wire unused = &{1'b0, effects, back, reflected, surface, FW != 0, `RT_EFFECTS_BUILT};
+    wire unused = &{1'b0, effects, back, reflected, surface, record, FW != 0, `RT_EFFECTS_BUILT};
 endmodule
 `default_nettype wire

@@ -11,19 +11,11 @@
 `include "rt_bundles.vh"
 module rt_shades #(
     `include "rt_effects.vh"
+    `include "rt_shade_parameters.vh"
     parameter SHADES     = 1,    // shading units, power of two
     parameter SETUPS     = 1,    // set-up units, power of two, at most SHADES
     parameter SLOTS      = 64,   // numbers of slots, power of two
-    parameter LUTS       = 0,    // LUT cells that a block RAM is worth, rt_slot_ram
-    parameter TEXTURE_LINES = 128, // texture cache of each
-    parameter TEXTURE_WAYS = 4,  // its groups of a set
-    parameter TEXTURE_GROUP = 1, // lines of a group
-    parameter TEXTURE_COORDS = 2, // units for texture coordinates
-    parameter COARSE     = 0,    // bits of a level's fraction that are rounded away
-    parameter QUOTIENTS  = 2,    // dividers of each
-    parameter QUOTIENT_STEP = 2, // quotient bits a clock
-    parameter HIT_INTERVAL = 8,  // clocks a hit point and its normal, 8 or 12
-    parameter BOUNCE_INTERVAL = 10 // clocks a mirrored direction, 10 or 12
+    parameter LUTS       = 0     // LUT cells that a block RAM is worth, rt_slot_ram
 ) (
     input  wire                       clk,
     input  wire                       rst,
@@ -83,7 +75,8 @@ module rt_shades #(
     // events of each unit and faults of this clock
     output wire [SHADES*`RT_SHADE_EVENT_BITS-1:0] event_o,
     //: {MISS, TEXEL, POWER, SATURATED, QUOTIENT, REFRACTED, REFLECTED, SHADOW, PRIMARY}
-    output reg  [3:0]                 fault_o          // by number of the error, machine.def
+    output reg  [3:0]                 fault_o,         // by number of the error, machine.def
+    output wire                       left_out_o       // a record came that no ray was to meet
 );
     localparam SLOTW = $clog2(SLOTS);
     localparam SB   = $clog2(SHADES), NB = SLOTW - $clog2(SETUPS);
@@ -120,15 +113,13 @@ module rt_shades #(
     wire [SHADES*BB-1:0]   blend;
     wire [SHADES*RB-1:0]   pixel;
     wire [SHADES*4-1:0]    fault;
+    wire [SHADES-1:0]      left_out;
     generate
         for (s = 0; s < SHADES; s = s + 1) begin : g_shade
             rt_shade #(
                 `include "rt_effects_pass.vh"
-                .SLOTS(SLOTS >> SB), .LUTS(LUTS), .COARSE(COARSE),
-                .TEXTURE_LINES(TEXTURE_LINES), .TEXTURE_WAYS(TEXTURE_WAYS),
-                .TEXTURE_GROUP(TEXTURE_GROUP), .TEXTURE_COORDS(TEXTURE_COORDS),
-                .QUOTIENTS(QUOTIENTS), .QUOTIENT_STEP(QUOTIENT_STEP),
-                .HIT_INTERVAL(HIT_INTERVAL), .BOUNCE_INTERVAL(BOUNCE_INTERVAL)
+                `include "rt_shade_pass.vh"
+                .SLOTS(SLOTS >> SB), .LUTS(LUTS)
             ) u_shade (
                 .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i), .light_i(light_i),
                 .ray_i(ray[YB*s +: YB]), .next_light_i(next_own[(OWNW+1)*s]),
@@ -149,7 +140,8 @@ module rt_shades #(
                 .mem_req_line_o(mem_req_line_o[`RT_LINE_BITS*s +: `RT_LINE_BITS]),
                 .mem_rsp_valid_i(mem_rsp_valid_i[s]), .mem_rsp_ready_o(mem_rsp_ready_o[s]),
                 .mem_rsp_data_i(mem_rsp_data_i), .mem_rsp_error_i(mem_rsp_error_i),
-                .event_o(event_o[EB*s +: EB]), .fault_o(fault[4*s +: 4])
+                .event_o(event_o[EB*s +: EB]), .fault_o(fault[4*s +: 4]),
+                .left_out_o(left_out[s])
             );
         end
     endgenerate
@@ -181,6 +173,7 @@ module rt_shades #(
             assign {texture_o, colour_o} = pixel;
         end
     endgenerate
+    assign left_out_o = |left_out;
     integer f;
     always @* begin
         fault_o = 4'd0;

@@ -1,4 +1,4 @@
-// rt_top.vh - generated from top.def and machine.def by gen_top.awk; do not edit
+// rt_top.vh - generated from top.def and machine.def by make layout; do not edit
 // SPDX-License-Identifier: Apache-2.0
 `ifndef RT_TOP_VH
 `define RT_TOP_VH
@@ -53,6 +53,7 @@
 `define RT_TOP_ERRORS_BUS_ERROR 3
 `define RT_TOP_ERRORS_MISSING_EFFECT 4
 `define RT_TOP_ERRORS_WRONG_PROFILE 5
+`define RT_TOP_ERRORS_LEFT_OUT 6
 `define RT_TOP_ERRORS_SCENE_SLVERR 8
 `define RT_TOP_ERRORS_SCENE_DECERR 9
 `define RT_TOP_ERRORS_FRAME_SLVERR 10

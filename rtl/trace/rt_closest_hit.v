@@ -4,7 +4,7 @@
 // The best key gives a depth beyond which nothing can win: key * scale >> shift, rounded up; with
 // KEYS its own top bits are that depth, and FW + 1 of them are kept.
 // One result a cycle; the token leaves 4 cycles after the last result of its visit.
-// Model: keep() in cmodel/trace/leaf_unit.c, sph_ray_depth() in cmodel/trace/setup.c
+// Model: keep_nearest() in cmodel/trace/leaf_unit.c, sph_ray_depth() in cmodel/trace/setup.c
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
@@ -237,7 +237,7 @@ module rt_closest_hit #(
             );
             wire unused = &{1'b0, key, new_scale};
         end else begin : g_scaled
-            // A key is below 2.4 * 2^(W+WD) (docs/reference/number_formats.md), so its top + 1 fits
+            // A key is below 2.4 * 2^(W+WD) (docs/reference/machine_file.md), so its top + 1 fits
             // 17 bits.
             reg [16:0]  s1_top_q, s1_scale_q;    // u17 top of the key, rounded up; u1.15
             reg [5:0]   s1_shift_q, s2_shift_q;

@@ -1,4 +1,4 @@
-// rt_modes.vh - generated from modes.def by sim/modes.awk; do not edit
+// rt_modes.vh - generated from modes.def by make layout; do not edit
 // SPDX-License-Identifier: Apache-2.0
 // mode_i[`RT_MODE_H_SYNC] is a field of the bundle; `RT_MODE_640X480 is a whole one
 `ifndef RT_MODES_VH

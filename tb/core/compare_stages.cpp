@@ -37,10 +37,12 @@ void compare_stages(const Options &o, const sph_machine &machine, const Outcome 
         const std::string a = order <= 0 ? text(machine, model.lines[i]) : "",
                           b = order >= 0 ? text(machine, core.lines[j]) : "";
         const bool shown = order > 0 || c.run->stages_shown >> model.lines[i].stage & 1;
+        const std::string clock =
+            order >= 0 ? "  clock " + std::to_string(core.lines[j].clock) : "";
         i += order <= 0;
         j += order >= 0;
         if (a == b || !shown) {
-            v.stages += a + (shown ? "\n" : "  (model only)\n");
+            v.stages += a + (shown ? clock : "  (model only)") + "\n";
             equal += shown;
             alone += !shown;
             continue;

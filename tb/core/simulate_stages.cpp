@@ -78,6 +78,7 @@ class StageWatch::Core {
     }
     void clock() {
         if (followed_.done) return;
+        followed_.to.clock += followed_.on;
         for (const auto &watch : watches_)
             watch->clock();
     }

@@ -47,7 +47,7 @@ module tb_core_icarus #(
     wire [31:0] pix_texture;
     wire [23:0] pix_frame;
     wire [47:0] count_data;
-    wire [5:0] errors;
+    wire [`RT_ERRORS-1:0] errors;
 
     rt_core #(
         `include "rt_core_pass.vh"

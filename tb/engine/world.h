@@ -201,9 +201,9 @@ class World {
     /* What leaf record j of those from line base on says, as sph_traverse() would take it. */
     struct sph_hit leaf(const struct sph_ray &ray, uint32_t base, uint32_t j,
                         struct sph_counters *c, uint32_t *errors) const {
-        struct sph_probe probe = sph_probe_of(&m, &ray, c, errors);
-        sph_leaf_visit(&probe, sph_record(&m, probe.whole, base, j));
-        return probe.best;
+        struct sph_ray_query query = sph_ray_query_of(&m, &ray, c, errors);
+        sph_leaf_visit(&query, sph_record(&m, query.whole, base, j));
+        return query.best;
     }
 
     uint32_t scene_lines = 0; /* with repeat() */

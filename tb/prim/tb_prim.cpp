@@ -187,19 +187,19 @@ class Prim : public bench::Bench<Vrt_prim> {
     void take() {
         Slot &s = slots[at];
         uint32_t errors = 0;
-        struct sph_probe probe = sph_probe_of(&world.m, &s.ray, &counters, &errors);
+        struct sph_ray_query query = sph_ray_query_of(&world.m, &s.ray, &counters, &errors);
         if (offered == BAD)
             counters.count[SPH_COUNT_LEAF_TESTS]++;
         else
-            sph_leaf_visit(&probe, record);
+            sph_leaf_visit(&query, record);
         struct sph_counters aside = {};
-        struct sph_probe full = sph_probe_of(&world.m, &s.ray, &aside, &errors);
+        struct sph_ray_query full = sph_ray_query_of(&world.m, &s.ray, &aside, &errors);
         full.passes = 0;
-        if (probe.passes && offered < NO_KIND) sph_leaf_visit(&full, record);
-        passed += full.best.key && !probe.best.key;
-        s.wanted.push_back(probe.best);
-        met[offered][probe.best.key != 0]++;
-        if (lucky || offered != SPH_SPHERE || probe.best.key <= 1) return;
+        if (query.passes && offered < NO_KIND) sph_leaf_visit(&full, record);
+        passed += full.best.key && !query.best.key;
+        s.wanted.push_back(query.best);
+        met[offered][query.best.key != 0]++;
+        if (lucky || offered != SPH_SPHERE || query.best.key <= 1) return;
         lucky = true, hit_ray = s.ray; /* with a root */
         std::copy(std::begin(record), std::end(record), hit_record);
     }

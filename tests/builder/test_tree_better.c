@@ -128,9 +128,8 @@ static void deep(void **unused) {
             sph_tree_balanced(balls, NULL, N, profile, eye, SPH_TREE_REINSERTED, &tree, &err), 0);
         for (uint32_t i = 0; i < tree.n_nodes; i++)
             sum += pow(tree.nodes[i].ball.r * unit, 2) / (double)split.pairs[0].cost[1];
-        printf("# %u levels below %u: %.4f of the cost without a limit\n", tree.depth - 1, above,
-               sum);
-        assert_int_equal(tree.depth - 1, SPH_STACK_DEPTH - above);
+        printf("# %u levels below %u: %.4f of the cost without a limit\n", tree.depth, above, sum);
+        assert_int_equal(tree.depth, SPH_STACK_DEPTH - above);
         assert_true(sum < 1.01);
         sph_split_free(&split);
         free(tree.nodes);

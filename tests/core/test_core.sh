@@ -156,6 +156,23 @@ broken "records beyond memory" 1 --reg 26=0x3000000
 broken "visits of probes run out" 4 --reg 29=3 --reg 0=31
 broken "records of probes beyond memory" 1 --reg 26=0x3000000 --reg 0=31
 broken "wrong profile" 32 --reg 30=1
+# LEFT_OUT, in both simulators: primitive 55 is what pixel 3,3 sees, primitive 0 is met by none.
+record=$((157 - 55))
+for sim in verilator icarus; do
+    wanted "$sim broken: a primitive that no ray was to meet" all SIM=$sim \
+        "$machines/paper100-draft-8x6.sph" --expect-errors 64 --poke $((record + 55)):189:1=1
+    wanted "$sim a primitive that no ray meets" all SIM=$sim "$machines/paper100-draft-8x6.sph" \
+        --poke $record:189:1=1
+done
+# The same of a machine whose camera moves behind the mirror that its own frame does not show.
+moved=$machines/moved.sph
+"$SPHAERA" build tests/scenes/met/mirror_behind.nff --profile draft --size 8x6 -o "$moved" \
+    >"$TMP/build" 2>&1 || check "a mirror behind the eye" cat "$TMP/build"
+for sim in verilator icarus; do
+    wanted "$sim a mirror left out is not met" auto SIM=$sim "$moved"
+    wanted "$sim a camera that moves meets a mirror left out" auto SIM=$sim "$moved" \
+        --reg 20=704 --expect-errors 64
+done
 broken "bus error at the first line" 8 --bus-error-at 0
 broken "bus error later" 8 --bus-error-at 9
 

@@ -62,7 +62,7 @@ whole_of() { # list: the core with everything that draws it, or nothing
 
 # Scene, size, machine, options: the command that builds it, over the tree that is listed.
 build() {
-    echo "$SPHAERA build $1 --profile draft --size $2 -o $3 $every $4"
+    echo "$SPHAERA build $1 --effects all --profile draft --size $2 -o $3 $every $4"
 }
 rm -rf "$here"
 mkdir -p "$here"
@@ -162,12 +162,13 @@ all|clear|2079 5 8 3 1
 all+texture|spread|8287 5 8 3 1
 END
 # each bit by itself, and the first that means nothing
-awk -f cmodel/machine/effects.awk -f - cmodel/machine/machine.def >>"$TMP/refused" <<'END'
-END {
-    for (i = 1; i <= words; i++)
-        if (bit[i] >= 0) print "none|" word[i] (most[i] > 1 ? 1 : "") "|" 2 ^ bit[i] " 0 0 0 0"
-    print "all||" 2 ^ bits " 0 0 0 0"
-}
+python3 - >>"$TMP/refused" <<'END'
+from sim.definition import Definition
+machine = Definition()
+for e in machine.effects.values():
+    if e.bit is not None:
+        print(f"none|{e.name}{'1' * (e.most > 1)}|{1 << e.bit} 0 0 0 0")
+print(f"all||{1 << machine.bits} 0 0 0 0")
 END
 $(build scenes/one_sphere.nff 8x8 "$here/bare.sph" "") >"$TMP/bare" 2>&1 || cat "$TMP/bare"
 refused() ( # simulator, core, words, registers

@@ -14,31 +14,30 @@ library="$include $(echo "$folders" | sed 's/^/-y /')"
 core=$(find rtl -name rt_core.v)
 verilator="$(sh sim/allocator.sh) verilator"
 # Standard widths; one line a value: NAME low|high|odd|least|most VALUE MESSAGE
-awk -f cmodel/machine/effects.awk -f - cmodel/machine/machine.def >"$TMP/values" <<'END'
-function number_of(text, part, n, i, sum) {
-    n = split(text, part, "+")
-    for (i = 1; i <= n; i++) sum += part[i] in standard_of ? standard_of[part[i]] : part[i]
-    return sum
-}
-function values(name, from, to, two, message) {
-    message = name "_must_be_" (two ? "a_power_of_two_from_" : "") from "_to_" to
-    gsub(/[+]/, "_plus_", message)
-    print name, "low", from - 1, message
-    print name, "high", two ? 2 * to : number_of(to) + 1, message
-    if (two) print name, "odd", number_of(to) - 1, message
-    print name, "least", from, message
-    print name, "most", number_of(to), message
-}
-$1 == "profile" && $2 == "standard" {
-    n = split("W WD PQ NG FW PR", key, " ")
-    for (i = 1; i <= n; i++) standard_of[key[i]] = $(i + 2)
-}
-$1 == "width" { widths++; width[widths] = toupper($2); from[widths] = $5; to[widths] = $6 }
-END {
-    for (i = 1; i <= widths; i++) values(width[i], from[i], to[i])
-    for (i = 1; i <= words; i++) values(core[i], 0, most[i])
-    for (i = 1; i <= sizes; i++) values(size[i], least[i], largest[i], power[i])
-}
+python3 - >"$TMP/values" <<'END'
+from sim.definition import Definition
+machine = Definition()
+standard = machine.profiles["standard"]
+
+
+def number_of(text):
+    return sum(standard.get(word.lower()) or int(word) for word in str(text).split("+"))
+
+
+def values(name, least, most, power=False):
+    message = f"{name}_must_be_{'a_power_of_two_from_' * power}{least}_to_{most}"
+    top = number_of(most)
+    for case, value in (("low", int(least) - 1), ("high", 2 * top if power else top + 1),
+                        *[("odd", top - 1)] * power, ("least", least), ("most", top)):
+        print(name, case, value, message.replace("+", "_plus_"))
+
+
+for name, ends in machine.bounds.items():
+    values(name.upper(), *ends)
+for e in machine.effects.values():
+    values(e.core, 0, e.most)
+for size in machine.sizes.values():
+    values(size.name, size.least, size.most, size.power)
 END
 # rt_core with some values: whole, or alone, when all other modules are missing
 # shellcheck disable=SC2046,SC2086  # lists of words on purpose

@@ -68,8 +68,8 @@ static void spheres(void **state) {
         sph_field_set(record, SPH_LEAF_ID_LSB, SPH_LEAF_ID_BITS, s.id);
         m.profile.pr = i % 5 ? 0 : 4;
         struct sph_counters c[2] = {{{0}}, {{0}}};
-        struct sph_probe literal = sph_probe_of(&m, &ray, &c[0], &errors);
-        struct sph_probe fast = sph_probe_of(&m, &ray, &c[1], &errors);
+        struct sph_ray_query literal = sph_ray_query_of(&m, &ray, &c[0], &errors);
+        struct sph_ray_query fast = sph_ray_query_of(&m, &ray, &c[1], &errors);
         struct sph_fast_leaf leaf = {
             {(int32_t)s.ctr[0], (int32_t)s.ctr[1], (int32_t)s.ctr[2]}, (int32_t)s.rad, s.id, 0};
         if (i & 1) literal.best = fast.best = (struct sph_hit){5, 1, 0, 0};
@@ -119,8 +119,8 @@ static void triangles(void **state) {
         sph_field_set(record, SPH_FACET_BEFORE_LSB, SPH_FACET_BEFORE_BITS, (uint32_t)i & 1);
         sph_field_set(record, SPH_FACET_AFTER_LSB, SPH_FACET_AFTER_BITS, (uint32_t)i >> 1 & 1);
         struct sph_counters c[2] = {{{0}}, {{0}}};
-        struct sph_probe literal = sph_probe_of(&m, &ray, &c[0], &errors);
-        struct sph_probe fast = sph_probe_of(&m, &ray, &c[1], &errors);
+        struct sph_ray_query literal = sph_ray_query_of(&m, &ray, &c[0], &errors);
+        struct sph_ray_query fast = sph_ray_query_of(&m, &ray, &c[1], &errors);
         struct sph_fast_triangle triangle;
         if (i & 2) literal.best = fast.best = (struct sph_hit){5, 2, 0, 0};
         sph_fast_triangle_read(p, record, &triangle);

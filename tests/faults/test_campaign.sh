@@ -5,7 +5,7 @@ set -u
 . "$(dirname "$0")/../tap.sh"
 cd "$(dirname "$0")/../.." || exit 1
 BUILD=${BUILD:-build}
-sh tb/run_bench.sh --tools >"$TMP/tools" 2>&1 || cat "$TMP/tools"
+BENCH_BUILD=$BUILD python3 -m lab benches --tools >"$TMP/tools" 2>&1 || cat "$TMP/tools"
 mkdir -p "$TMP/sim" "$TMP/test"
 ln -s "$(realpath "$BUILD")/sim/obj" "$TMP/sim/obj"
 ln -s "$(realpath "$BUILD")/libsphaera.a" "$TMP/libsphaera.a"
@@ -34,8 +34,8 @@ sums() { # the page's tables and the list of faults are of one run
 import collections
 import sys
 from lab.pages import data
-head, faults = data.read("mutants.faults")
-_, modules = data.read("mutants.modules")
+head, faults = data.read("verification.faults")
+_, modules = data.read("verification.modules")
 count = collections.Counter(row[0].split()[0] for row in faults)
 sys.exit({row[0]: int(row[1]) for row in modules} != dict(count))
 END

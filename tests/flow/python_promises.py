@@ -118,6 +118,11 @@ def ray():
     assert np.allclose(hit.point, (0, 0, 1), atol=0.01)
     assert machine.trace(np.zeros(3), np.array([0, 1, 0])).inside
     assert machine.trace((0, 0, 4), (0, 1, 0)) is None
+    table = sphaera.read(PAPER5).price(width=64, height=36, keep_pixels=1, keep_psnr=50)
+    assert [row.name for row in table.rows] == ["draft", "standard", "fine", "reference"]
+    assert table.rows[table.best].keeps and not any(row.keeps for row in table.rows[:table.best])
+    assert all(row.why is None and row.pixels == 64 * 36 for row in table.rows)
+    refused(sphaera.Error, "-1 dB", scene.price, keep_psnr=-1)
     refused(sphaera.Error, "outside the grid", machine.trace, (0, 0, 1e9), (0, 0, -1))
     refused(sphaera.Error, "no length", machine.trace, (0, 0, 4), (0, 0, 0))
     refused(ValueError, "three numbers", machine.trace, (0, 0), (0, 0, 1))

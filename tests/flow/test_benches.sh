@@ -10,12 +10,10 @@
 cd "$(dirname "$0")/../.." || exit 1
 BENCH_BUILD=${BUILD:-build} BENCH_JOBS=${JOBS:-2} BENCHES=${BENCHES:-/}
 export BENCH_BUILD BENCH_JOBS
-sh tb/run_bench.sh "$BENCHES" "${SEED:-1}" && status=0 || status=1
-[ "$BENCHES" = / ] || ALL=1
-awk -v pattern="$BENCHES" -v all="${ALL:-}" -f tb/benches.awk cmodel/machine/machine.def \
-    tb/benches*.txt >"$TMP/benches"
+python3 -m lab benches "$BENCHES" "${SEED:-1}" && status=0 || status=1
+python3 -m lab benches --show "$BENCHES" >"$TMP/benches"
 while read -r profile _ bench _; do
-    if refuses 2 "" "$BENCH_BUILD/tb/$bench-$profile/bench" >"$TMP/refused"; then
+    if refuses 2 "" "$BENCH_BUILD/tb/$bench-$profile/made/bench" >"$TMP/refused"; then
         echo "ok - $bench-$profile refuses a seed that is no number"
     else
         echo "not ok - $bench-$profile refuses a seed that is no number"

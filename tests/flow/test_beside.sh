@@ -72,16 +72,14 @@ untouched() { [ "$(cat "$TMP/victim")" = untouched ]; }
 mkdir "$TMP/lists"
 planted "$TMP/lists/sphaera.f" "$TMP/lists/sphaera.core" "$TMP/lists/layout.h" \
     "$TMP/lists/bundles.h" "$TMP/lists/rt_shade.v"
-check "sim/filelist.sh" sh sim/filelist.sh "$TMP/lists"
-check "sim/layout.sh" sh sim/layout.sh "$TMP/lists"
-check "sim/bundles.sh" sh sim/bundles.sh "$TMP/lists"
-check "they write what is there already" sh -c \
+check "lab layout" python3 -m lab layout "$TMP/lists"
+check "it writes what is there already" sh -c \
     'cmp "$0/sphaera.f" rtl/sphaera.f && cmp "$0/layout.h" cmodel/machine/layout.h &&
      cmp "$0/bundles.h" tb/bundles.h' "$TMP/lists"
-check "... and follow no link" untouched
+check "... and follows no link" untouched
 kept() {
     touch -d 2001-01-01 "$TMP/lists/sphaera.f"
-    sh sim/filelist.sh "$TMP/lists" && [ "$(stat -c %Y "$TMP/lists/sphaera.f")" -lt 1000000000 ]
+    python3 -m lab layout "$TMP/lists" && [ "$(stat -c %Y "$TMP/lists/sphaera.f")" -lt 1000000000 ]
 }
 check "a file that stays the same keeps its time" kept
 

@@ -22,7 +22,7 @@ check "simulation in Icarus" simulated SIM=icarus
 for suite in test_export.sh test_generated.sh test_light.sh; do
     check "suite $suite" plain_make test ONLY=$suite
 done
-check "a bench" sh -c "sh tb/run_bench.sh tb_isqrt/draft | grep '^ok'"
+check "a bench" sh -c "python3 -m lab benches tb_isqrt/draft | grep '^ok'"
 check "synthesis of a block" sh synth/module.sh rt_square BITS=4
 [ -z "${ALL:-}" ] || check "synthesis of a core" plain_make synth EFFECTS=none PROFILE=draft \
     TARGET=generic

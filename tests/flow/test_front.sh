@@ -68,6 +68,9 @@ for word in "ENGINES=two: is not 1 to 8$" "WINDOW=0,0,17,9: is not inside SIZE=1
     "^ .* texture/hall " "STALL=: is empty" "ROOT_STEP=0: "; do
     check "... $word" says "$word"
 done
+refuse sim PIXEL=8,3 WINDOW=0,0,8,8 FOO=1
+check "... a pixel outside of the window" says "^PIXEL=8,3: is not inside WINDOW=0,0,8,8"
+check "... a word that is like none" says "^there is no variable FOO$"
 refuse sim PROFILE=all
 check "... PROFILE=all, which is for make synth" says "^PROFILE=all: "
 refuse sim SCENE=sphreflake:3
@@ -80,6 +83,9 @@ for word in "LEAF_UNITS=4 SHADES=2 PIPES=4" "ENGINES=3 PIPES=3" "SIZES=setups=2"
         check "make $goal $word, which do not go together" says "^[A-Z].*=.*: .* (must be|needs) "
     done
 done
+refuse sim LEAF_UNITS=2
+check "... what was given, and what follows from what" says \
+    "^LEAF_UNITS=2 SHADES=0, which is 1 for PIPES=1.*: LEAF_UNITS must be at most SHADES"
 refuse synth SHADES=2 PIPES=2
 check "make synth of a core with everything" says "^SHADES=2 INTERPENETRATE=1: INTERPENETRATE needs"
 SIM=questa refuse sim

@@ -8,7 +8,7 @@ same() { # name, committed file, fresh file
     n=$((n + 1))
     if diff -u "$2" "$3"; then echo "ok $n - $1"; else echo "not ok $n - $1: see make layout"; fi
 }
-sh sim/layout.sh "$TMP" || exit 1
+python3 -m lab layout "$TMP" || exit 1
 for file in cmodel/machine/layout.h rtl/core/*.vh rtl/top/rt_top.vh driver/sphaera_regs.h \
     docs/reference/rt_top.rdl rtl/video/rt_modes.vh driver/sphaera_modes.h; do
     [ $file != rtl/core/rt_check.vh ] || continue # is written by hand
@@ -34,15 +34,16 @@ ${CC:-gcc} -std=c11 -O2 -Icmodel cmodel/shade/gen_power_rom.c -o "$TMP/gen_power
 "$TMP/gen_power_rom" >"$TMP/rt_power_rom.v"
 same "rt_power_rom.v follows power_table.h" rtl/shade/rt_power_rom.v "$TMP/rt_power_rom.v"
 
-sh sim/bundles.sh "$TMP" || exit 1
 same "rt_bundles.vh follows bundles.def" rtl/engine/rt_bundles.vh "$TMP/rt_bundles.vh"
 same "bundles.h follows bundles.def" tb/bundles.h "$TMP/bundles.h"
-sh sim/filelist.sh "$TMP"
 same "sphaera.f lists the files of rtl" rtl/sphaera.f "$TMP/sphaera.f"
 same "sphaera.core lists them, and has the version of VERSION" sphaera.core "$TMP/sphaera.core"
 echo 2.3.4 >"$TMP/VERSION"
-awk -v lang=v -f cmodel/machine/gen_top.awk "$TMP/VERSION" cmodel/machine/machine.def \
-    cmodel/machine/top.def | sed -n "s/^.define RT_TOP_VERSION_RESET 32'h//p" >"$TMP/release"
+python3 -c 'import sys
+from lab.generate.top import Registers
+from sim.definition import Definition
+print(Registers(Definition(), sys.argv[1]).verilog())' "$TMP/VERSION" |
+    sed -n "s/^.define RT_TOP_VERSION_RESET 32'h//p" >"$TMP/release"
 echo 00020003 >"$TMP/wanted"
 same "register VERSION has the numbers of VERSION" "$TMP/release" "$TMP/wanted"
 echo "1..$n"

@@ -82,7 +82,7 @@ check "the shared library loads OpenImageIO when asked for what needs it" sh -c 
 {
     echo "make() (cd '$root' && env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL make -s B='$BUILD' \"\$@\")"
     echo 'set -e; unset PKG_CONFIG_PATH LD_LIBRARY_PATH'
-    sed -n 's/^    //p' "$root/docs/reference/library.md"
+    sed -n '/^## /q; s/^    //p' "$root/docs/reference/library.md"
 } >page.sh
 mkdir home
 cp "$root/examples/c/render.c" .

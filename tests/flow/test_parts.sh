@@ -15,10 +15,8 @@ mkdir -p "$copy" && cp -r Makefile VERSION sphaera.core README.md CONTRIBUTING.m
     cmodel docs driver formal lab make rtl scenes sim synth tb tests "$copy" || exit 1
 cd "$copy" || exit 1
 def=cmodel/machine/machine.def
-line="effect dummy most=3 bit=$(awk -f cmodel/machine/effects.awk -f - $def <<'END'
-END { print bits }
-END
-) option=when needs=inside : does nothing"
+line="effect dummy most=3 bit=$(python3 -c 'from sim.definition import Definition
+print(Definition().bits)') option=when needs=inside : does nothing"
 find . -type f ! -name '*.pyc' | sort | xargs cksum >"$TMP/before"
 awk -v line="$line" '$1 == "part" && !done { print line; done = 1 } 1' $def >"$TMP/def"
 cp "$TMP/def" $def
@@ -122,7 +120,7 @@ sed -e 's/SPH_TRIANGLE/SPH_WEDGE/; s/sph_prim_scene_triangle/sph_prim_scene_wedg
     cmodel/scene/prim_triangle.c >cmodel/scene/prim_wedge.c
 sed -i 's/\[SPH_TRIANGLE\] = \({[^}]*}\),/[SPH_TRIANGLE] = \1, [SPH_WEDGE] = \1,/' \
     cmodel/reference/facet.c cmodel/naive/facet.c
-sh sim/layout.sh
+python3 -m lab layout
 
 # ---- the tool, compiled anew ----
 make tool -j"$JOBS" B=build CFLAGS="-std=c11 -D_GNU_SOURCE -O0 -Icmodel" \
@@ -168,7 +166,7 @@ check "the reference in double precision sees them" says 'psnr *[4-9][0-9]' "$TM
 # ---- a list that is wrong is told by file and line ----
 wrong() { # line, message
     { cat "$TMP/def"; echo "$1"; } >$def
-    ! sh sim/layout.sh "$TMP" 2>"$TMP/why" && cat "$TMP/why" &&
+    ! python3 -m lab layout "$TMP" 2>"$TMP/why" && cat "$TMP/why" &&
         grep -q "machine.def:.*$2" "$TMP/why"
 }
 check "a word twice" wrong 'part dummy asked=TREE=9 : twice' 'dummy stands twice'

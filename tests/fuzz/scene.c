@@ -153,13 +153,13 @@ void fuzz_scene(const struct sph_scene *scene, uint64_t choice) {
     /* one scene of four is built: that takes most of the time */
     if (choice >> 50 & (n > MANY ? 15 : 3)) return;
     struct sph_build_options o = options_of(choice);
-    const struct sph_keep keep = {SPH_KEEP_PIXELS, SPH_KEEP_PSNR};
+    const struct sph_error_bound bound = {SPH_ERROR_BOUND_PIXELS, SPH_ERROR_BOUND_PSNR};
     struct sph_profile_choice profile;
     struct sph_mip *mips = images_of(scene);
     o.mips = mips;
     struct sph_machine m;
     static struct sph_build_report report;
-    if (sph_build_kept(scene, &o, (int)(choice >> 18 & 1), &keep, &profile, &m, &report, &err)) {
+    if (sph_build_kept(scene, &o, (int)(choice >> 18 & 1), &bound, &profile, &m, &report, &err)) {
         fuzz_message(&err, scene->path, 1);
     } else {
         if (sph_machine_validate(&m, &err)) fuzz_fail("built, but not valid: %s", err.text);

@@ -31,7 +31,7 @@ void job_wrong(struct job *j, int check, const char *what) {
 }
 
 /* t lies less than 1/|dir| above and 2^(2-PQ) of the distance below
- * (docs/reference/number_formats.md). */
+ * (docs/reference/machine_file.md). */
 static void check_t(struct job *j, const struct answer *a, const struct sph_quotient *q) {
     long double length = sqrtl((long double)j->ray.a), t = ldexpl(q->mant, -q->exp);
     long double error = (t - exact_t(&a->exact)) * length;

@@ -1,7 +1,7 @@
 /* check_texture.c - coordinates, texels and levels of images; see check.h
  * SPDX-License-Identifier: Apache-2.0
  *
- * The naive model is of this file alone: the definitions of docs/design/textures.md and lod.md,
+ * The naive model is of this file alone: the definitions of docs/design/textures.md,
  * with angles and logarithms by the library instead of tables.
  */
 #include <math.h>

@@ -23,7 +23,7 @@ struct facet_exact exact_facet(const struct sph_profile *p, const struct sph_ray
 /* Sign of t1 - t2 of the planes, exactly; both det > 0, both num >= 0. */
 int exact_facet_order(const struct facet_exact *e1, const struct facet_exact *e2);
 
-/* textbook: Moeller and Trumbore 1997; paper: the volumes of docs/design/facet.md. No end of the
+/* textbook: Moeller and Trumbore 1997; paper: the volumes of design/primitives.md. No end of the
  * world. */
 struct floats floats_facet(int formula, const struct sph_ray *ray, const struct sph_facet_leaf *f);
 

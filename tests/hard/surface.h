@@ -10,7 +10,7 @@
 #include "math/quotient.h"
 #include "shade/surface.h"
 
-/* 1 if mant * 2^-exp is key / a rounded down as docs/reference/number_formats.md says. */
+/* 1 if mant * 2^-exp is key / a rounded down as docs/reference/machine_file.md says. */
 int exact_is_quotient(const struct sph_profile *p, uint64_t key, uint64_t a,
                       const struct sph_quotient *q);
 

@@ -1,13 +1,13 @@
 #!/bin/sh
-# test_bart_page.sh - the tables of docs/results/bart.md from results; what lacks some is shown,
-# with dashes, and not put
+# test_bart_page.sh - BART's tables of docs/results/texture_results.md from results; what lacks some
+# is shown, with dashes, and not put
 # SPDX-License-Identifier: Apache-2.0
 set -u
 . "$(dirname "$0")/../tap.sh"
 cd "$(dirname "$0")/../.." || exit 1
 s=$SPHAERA
 page=$TMP/shown data=$TMP/data
-cp docs/results/bart.md "$TMP/bart.md"
+cp docs/results/texture_results.md "$TMP/bart.md"
 mkdir "$data"
 
 has() { grep -qE -- "$1" "$2"; } # pattern, file
@@ -17,7 +17,7 @@ fill() {
 }
 
 check "without results" fill
-check "the page stays" cmp docs/results/bart.md "$TMP/bart.md"
+check "the page stays" cmp docs/results/texture_results.md "$TMP/bart.md"
 check "... no table has a stamp" [ ! -e "$TMP/measured.tsv" ]
 check "there are dashes" has '^\| robot +\| +- \| +- \| +- \|' "$page"
 check "and the paper's figures" has '^\| museum +\| +1 \| +-.*\| +6.4 \|' "$page"
@@ -56,7 +56,7 @@ fill
 check "a visit a clock, a test every two; with two pipes half of it, with four a quarter" \
     python3 - "$page" <<'END'
 import sys
-text = open(sys.argv[1], encoding="utf-8").read().split("the table clocks stays")[1]
+text = open(sys.argv[1], encoding="utf-8").read().split("the table bart_clocks stays")[1]
 rows = text[text.index("| robot"):].splitlines()[:3]
 walk, facets = ([int(row.split("|")[k]) for row in rows] for k in (3, 4))
 assert walk == [40, 20, 10] and facets == [48, 24, 12], rows

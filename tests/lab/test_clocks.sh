@@ -29,16 +29,16 @@ told() { # command, file, sed expression, what is said
 }
 check "a clock that is typed" told told README.md '$s/$/\nIt reaches 127 MHz./' \
     'README.md:[0-9]*: 127 MHz is told by hand'
-check "a rate that is typed, over two lines" told told docs/results/bart.md \
+check "a rate that is typed, over two lines" told told docs/results/texture_results.md \
     '$s/$/\nIt draws 17.4 frames\na second./' '17.4 frames a second is told by hand'
-check "a column of rates" told told docs/results/moving.md \
+check "a column of rates" told told docs/results/trees.md \
     '$s/$/\n| a | frames\/s |\n|---|---|\n| b | 7 |/' 'the column frames/s'
-check "a measured table that has rates" told told docs/results/data/moving.rates.tsv \
-    's/^scenario, spheres/&, fps/' 'moving.rates.tsv: the column scenario, spheres, fps'
+check "a measured table that has rates" told told docs/results/data/trees.moving.tsv \
+    's/^scenario, spheres/&, fps/' 'trees.moving.tsv: the column scenario, spheres, fps'
 check "a figure that is given, and told no more" told told $given \
     '$s/$/\nREADME.md; 3 MHz; x/' \
     'README.md does not tell 3 MHz'
-check "a rate that a claim tells by hand" told "pages --check docs/results/claims.md" $claims \
+check "a rate that a claim tells by hand" told "pages --check docs/results/papers.md" $claims \
     's/{moving_rate}/9.6 frames a second/' '9.6 frames a second is told by hand'
 check "rates of a core that is not in the table: not routed" \
     python3 -m lab.checks.clocks "$TMP/seeds"

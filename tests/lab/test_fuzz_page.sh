@@ -4,8 +4,8 @@
 set -u
 . "$(dirname "$0")/../tap.sh"
 cd "$(dirname "$0")/../.." || exit 1
-page=$TMP/mutants.md runs=$TMP/runs.tsv
-cp docs/results/mutants.md "$page"
+page=$TMP/page.md runs=$TMP/runs.tsv
+cp docs/results/verification.md "$page"
 table() { sed -n '/^<!-- runs -->/,/^<!-- end -->/p' "$1"; }
 row() { table "$page" | grep "^| $1 |"; }
 run() { # harness, how, seed, runs, digest
@@ -22,7 +22,7 @@ before=$(names)
 without() { # what is said, and the page stays
     ! placed >"$TMP/said" 2>&1 && cat "$TMP/said" &&
         grep -q "^fuzz: $runs: no run is there; $page stays as it is" "$TMP/said" &&
-        cmp docs/results/mutants.md "$page"
+        cmp docs/results/verification.md "$page"
 }
 check "no file of runs: the page stays" without
 : >"$runs"
@@ -39,7 +39,7 @@ check "... of nff its last sources are added up" [ "$(row nff)" = \
     "| nff | 1 001 500 | 1 500 | 1 000 000 | 6 | 7 | 0 | 1 2 | 2030-01-02 | 0000bbbb |" ]
 check "... the new one's" [ "$(row new)" = \
     "| new | 1 000 | 0 | 1 000 | 3 | 7 | 0 | 5 | 2030-01-02 | 0000aaaa |" ]
-others docs/results/mutants.md >"$TMP/others"
+others docs/results/verification.md >"$TMP/others"
 others "$page" >"$TMP/now"
 check "... other rows, and the page around them, stay" cmp "$TMP/others" "$TMP/now"
 cp "$page" "$TMP/once"

@@ -17,7 +17,7 @@ says() { # exit code, what is said, words
 check "help of all" says 0 "^  moving " --help
 check "without a word the same" says 1 "^  moving "
 check "help of a command, with what its module says" says 0 "NAME.png and NAME.json" gallery --help
-check "help of an experiment, with its steps" says 0 "moving:page docs/results/moving.md" \
+check "help of an experiment, with its steps" says 0 "moving:page docs/results/trees.md" \
     moving --help
 check "no such command" says 1 "there is no command teas" teas
 check "an argument too few" says 2 "required: PAGE" gallery "$TMP"

@@ -65,7 +65,7 @@ broken() { # sed expression, what is said
     cp kept "$page"
     return $rc
 }
-area=$(find docs -name area.md)
+area=$(find docs -name speed_and_area.md)
 by_hand() {
     cp "$area" kept
     sed -i '/^<!-- ecp5/,/^<!-- end/s/^| standard  *|/&1/' "$area"
@@ -112,17 +112,17 @@ typed() { # page, what is written behind it, what is said
     return $rc
 }
 results=docs/results
-check "a figure that was typed" typed $results/speed.md 'It takes\n12.5 % more.' \
-    'speed.md:[0-9]*: 12.5 %'
+check "a figure that was typed" typed $results/effects.md 'It takes\n12.5 % more.' \
+    'effects.md:[0-9]*: 12.5 %'
 check "... in README, grouped in threes" typed README.md 'So 12 345 LUT4eq.' \
     'README.md:[0-9]*: 12 345 LUT4eq'
 check "... in README's table" typed README.md '| a | b |\n|---|---|\n| x | 7 ms |' ': 7 ms'
-check "a table that was typed" typed $results/speed.md '| a | b |\n|---|---|\n| x | 7.5 |' \
-    'speed.md:[0-9]*: table: a, b'
+check "a table that was typed" typed $results/effects.md '| a | b |\n|---|---|\n| x | 7.5 |' \
+    'effects.md:[0-9]*: table: a, b'
 needless() {
     cp lab/pages/typed.txt kept
-    echo 'speed | 3 dB | none' >>lab/pages/typed.txt
-    ! python3 -m lab typed >said && cat said && grep 'speed has no 3 dB' said
+    echo 'effects | 3 dB | none' >>lab/pages/typed.txt
+    ! python3 -m lab typed >said && cat said && grep 'effects has no 3 dB' said
     rc=$?
     cp kept lab/pages/typed.txt
     return $rc
@@ -137,9 +137,10 @@ made() { # what is generated or code is not typed
     return $rc
 }
 check "regions, code and listings may have figures" made
-check "a table that is not there" broken 's/begin: errors/begin: rows area.none/' 'area.none'
+check "a table that is not there" broken 's/begin: errors/begin: rows speed_and_area.none/' \
+    speed_and_area.none
 shown=docs/results/data/shown.txt
-claims=lab/papers/claims.py values=docs/results/data/claims.values.tsv
+claims=lab/papers/claims.py values=docs/results/data/papers.values.tsv
 claim() { # file, sed expression, what is said
     cp "$1" kept
     edited "$1" "$2" && ! python3 -m lab pages --check >said 2>&1 && cat said &&
@@ -164,10 +165,10 @@ selected() { # sed expression, what is said
     cp kept "$shown"
     return $rc
 }
-check "a row that is not there" selected 's/^area.xc7; standard/area.xc7; standards/' \
-    'area.xc7 has no row standards'
-check "a column that is not there" selected '/^area.xc7/s/| FF |/| FFS |/' \
-    'area.xc7 has no column FFS'
+check "a row that is not there" selected 's/^speed_and_area.xc7; standard/&s/' \
+    'speed_and_area.xc7 has no row standards'
+check "a column that is not there" selected '/^speed_and_area.xc7/s/| FF |/| FFS |/' \
+    'speed_and_area.xc7 has no column FFS'
 check "a region that nothing makes" broken 's/begin: errors/begin: erors/' 'there are '
 check "a region without an end" broken '$s/.*/<!-- begin: errors -->/' 'regions begin'
 check "a module that is not there" broken 's/begin: ports rt_core/begin: ports rt_cor/' 'rt_cor'

@@ -25,8 +25,8 @@ check "core.md links it" says "](rt_top.md)" sed -n '/^## Limits/,$p' docs/refer
 check "a ray that waits is the paper's ray stack" nowhere "there is no stack"
 check "the paper's Figure 10 names no number" nowhere '"5 spheres, a light'
 cold() { # what a page calls cold was not measured behind a first pass
-    ! { says "cold caches" cat docs/results/summary.md &&
-        says "WARM=1" sed '/^<!-- begin: measured/,/^<!-- end/d' docs/results/summary.md; }
+    ! { says "cold caches" cat docs/results/speed_and_area.md &&
+        says "WARM=1" sed '/^<!-- begin: measured/,/^<!-- end/d' docs/results/speed_and_area.md; }
 }
 check "cold caches are not those of WARM=1" cold
 done_testing

@@ -25,34 +25,37 @@ done
 check "background" nothing lab background background --build empty
 check "textures" nothing lab textures-page $results/texture_results.md $results/accuracy.md \
     empty docs/pictures 48x27 24x14 kitchen robot museum
-check "bart" nothing lab bart-page $results/bart.md empty 48x27 kitchen:400:50 robot:3:2 museum:7:7
-check "truth" nothing lab truth-page $results/truth.md empty docs/pictures/truth
-check "study" nothing lab study-page --only-tables $results/accuracy.md empty empty/study
-check "area" nothing lab area-page $results/area.md empty standard-ecp5-all-engines1
-check "fuzz" nothing lab fuzz-page empty/runs.tsv $results/mutants.md
-check "one table" nothing lab place $results/mutants.md "make host-page" events empty/events
+check "bart" nothing lab bart-page $results/texture_results.md empty 48x27 kitchen:400:50 \
+    robot:3:2 museum:7:7
+check "truth" nothing lab truth-page $results/accuracy.md empty docs/pictures/truth
+check "study" nothing lab accuracy-page --only-tables $results/accuracy.md empty empty/study
+check "area" nothing lab area-page $results/speed_and_area.md empty standard-ecp5-all-engines1
+check "fuzz" nothing lab fuzz-page empty/runs.tsv $results/verification.md
+check "one table" nothing lab place $results/verification.md "make host-page" events empty/events
 
 # ---- what is there is put and stamped, what lacks something is not ----
 cat >put.py <<'END'
 from lab.pages import whole
 from lab.pages.place import place
-place("docs/results/scenarios.md", "make some", {
-    "full": "| scenario, spheres | tree | cycles a pixel |\n|---|---|---|\n| S1, 4 | bih1 | 2.0 |",
-    "work": lambda: "| a |\n|---|\n| 3 |",
-    "cycles": lambda: f"| a |\n|---|\n| {whole.load('empty/none.json') or '-'} |",
-    "time": lambda: whole.load("empty/other.json")["seconds"]})
+place("docs/results/trees.md", "make some", {
+    "bih_full": "| scenario, spheres | tree | cycles a pixel |\n|---|---|---|\n"
+                "| S1, 4 | bih1 | 2.0 |",
+    "bih_work": lambda: "| a |\n|---|\n| 3 |",
+    "bih_cycles": lambda: f"| a |\n|---|\n| {whole.load('empty/none.json') or '-'} |",
+    "bih_time": lambda: whole.load("empty/other.json")["seconds"]})
 END
-row() { awk -F '\t' -v table="$1" '$1 == "scenarios" && $2 == table { print $3, $5 }' $record; }
-old=$(row cycles) day=$(python3 -c 'from lab.pages import measured; print(measured.commit()[1])')
+row() { awk -F '\t' -v table="$1" '$1 == "trees" && $2 == table { print $3, $5 }' $record; }
+old=$(row bih_cycles)
+day=$(python3 -c 'from lab.pages import measured; print(measured.commit()[1])')
 check "two tables are whole, two are not" python3 put.py
-check "a whole table stands in its page" grep -qF '| S1, 4 | bih1 | 2.0 |' $results/scenarios.md
-check "... or in its file" grep -qx 3 $results/data/scenarios.work.tsv
-check "... with its stamp" [ "$(row full)" = "make some $day" ]
-check "... also in the page" grep -q '^- \*full\*, \*work\*: `make some` at commit ' \
-    $results/scenarios.md
+check "a whole table stands in its page" grep -qF '| S1, 4 | bih1 | 2.0 |' $results/trees.md
+check "... or in its file" grep -qx 3 $results/data/trees.bih_work.tsv
+check "... with its stamp" [ "$(row bih_full)" = "make some $day" ]
+check "... also in the page" grep -q '^- \*bih_full\*, \*bih_work\*: `make some` at commit ' \
+    $results/trees.md
 check "a table of which something is missing stays" \
-    cmp before/results/data/scenarios.cycles.tsv $results/data/scenarios.cycles.tsv
-check "... with its stamp" [ "$(row cycles)" = "$old" ]
+    cmp before/results/data/trees.bih_cycles.tsv $results/data/trees.bih_cycles.tsv
+check "... with its stamp" [ "$(row bih_cycles)" = "$old" ]
 check "all of it is as the record has it" python3 -m lab pages --check
 
 # ---- results that are older than what they were made of ----
@@ -66,12 +69,12 @@ check "a result from before the sources changed is none" old_result
 
 # ---- some rows alone are new ----
 some_rows() {
-    before_it=$(row listing) && python3 -c 'from lab.pages.place import place
-place("docs/results/scenarios.md", "make more", {"listing": "| a |\n|---|\n| 7 |"}, rest=True)' &&
-        [ "$(row listing)" = "$before_it" ] && python3 -m lab pages --check
+    before_it=$(row bih_listing) && python3 -c 'from lab.pages.place import place
+place("docs/results/trees.md", "make more", {"bih_listing": "| a |\n|---|\n| 7 |"}, rest=True)' &&
+        [ "$(row bih_listing)" = "$before_it" ] && python3 -m lab pages --check
 }
 check "a table of which some rows are new stays as old as it was" some_rows
-cd - >said && check "the ages of all tables, by a command" python3 -m lab age scenarios
+cd - >said && check "the ages of all tables, by a command" python3 -m lab age trees
 aged() {
     ! python3 -m lab age nothing 2>"$TMP/said" && grep 'no measured table in' "$TMP/said"
 }

@@ -14,7 +14,7 @@ from lab import summary
 from lab.pages import data
 head, rows = data.read(summary.AUTO)
 takes = {row[0]: row[1] for row in rows}
-head, rows = data.read('summary.speed')
+head, rows = data.read('speed_and_area.speed')
 for row in rows:
     scene, profile = row[0].split(',')[0], row[head.index('profile')]
     assert takes[scene] == profile, row

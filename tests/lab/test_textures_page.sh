@@ -27,7 +27,7 @@ fill() {
         kitchen robot museum
 }
 outside() {
-    awk '/^<!-- end/ { inside = 0 } !inside { print } /^<!-- [a-z]+ -->/ { inside = 1 }' "$1"
+    awk '/^<!-- end/ { inside = 0 } !inside { print } /^<!-- [a-z_]+ -->/ { inside = 1 }' "$1"
 }
 
 fill >"$TMP/text" 2>&1

@@ -18,8 +18,8 @@ found = why.square()
 print(model, found)
 assert model == found['square_lost'] and found['square_angle'] == '44.4'"
 check "so does the outline, but for pixels that a radius rounded up moves" says "
-rows = [line.split('\t') for line in Path('docs/results/data/background.series.tsv').read_text()
-        .splitlines()]
+series = Path('docs/results/data/effects.background_series.tsv')
+rows = [line.split('\t') for line in series.read_text().splitlines()]
 model = {row[0]: int(row[2]) for row in rows[2:]}
 for points in 16, 64:
     left_out, between = why.outline(160, 90, points)

@@ -51,6 +51,9 @@ static void test_null(void **unused) {
     REFUSED("text", sphaera_scene_parse(NULL, n, "s", 0, &s, &error));
     REFUSED("scene", sphaera_scene_parse(text, n, "s", 0, NULL, &error));
     REFUSED("name", sphaera_scene_parse(text, n, NULL, 0, &s, &error));
+    sphaera_price *price;
+    REFUSED("scene", sphaera_price_measure(NULL, NULL, 0, 0, 0, &price, &error));
+    REFUSED("price", sphaera_price_measure(s, NULL, 0, 0, 0, NULL, &error));
     REFUSED("scene", sphaera_build(NULL, NULL, &m, &error));
     REFUSED("machine", sphaera_build(s, NULL, NULL, &error));
     REFUSED("path", sphaera_machine_read(NULL, &m, &error));
@@ -280,9 +283,46 @@ static void test_kinds(void **unused) {
     }
 }
 
+/* Rows are those of `sphaera price`, which tests/tool/test_price.sh looks at. */
+static void test_price(void **unused) {
+    sphaera_scene *s;
+    sphaera_price *price;
+    sphaera_price_row row;
+    sphaera_build_options o;
+    sphaera_error error = {""};
+    (void)unused;
+    sphaera_build_init(&o);
+    assert_int_equal(sphaera_scene_read("scenes/huge_tiny.nff", 0, &s, &error), 0);
+    o.width = 64, o.height = 36;
+    assert_int_equal(sphaera_price_measure(s, &o, 0, 0, 500, &price, &error), 0);
+    assert_int_equal(sphaera_price_rows(price), 4);
+    assert_int_equal(sphaera_price_get(price, 4, &row), -1);
+    assert_int_equal(sphaera_price_get(price, -1, &row), -1);
+    assert_int_equal(sphaera_price_get(price, 0, &row), 0); /* draft has no grid for it */
+    assert_non_null(strstr(row.why, "is nothing on the grid"));
+    for (int i = 1; i < 4; i++) {
+        assert_int_equal(sphaera_price_get(price, i, &row), 0);
+        assert_true(!row.why && row.pixels <= 500 && row.psnr >= row.psnr_least &&
+                    row.cycles_per_pixel > 1 && row.wrong_most > 0 && row.wrong_most < 1);
+        if (i == sphaera_price_best(price)) assert_true(row.keeps);
+    }
+    sphaera_price_free(price);
+    o.profile = "standard:pq=13";
+    assert_int_equal(sphaera_price_measure(s, &o, 100, 1, 0, &price, &error), 0);
+    assert_int_equal(sphaera_price_rows(price), 1);
+    assert_int_equal(sphaera_price_best(price), 0);
+    sphaera_price_free(price);
+    assert_int_equal(sphaera_price_measure(s, &o, NAN, 1, 0, &price, &error), -1);
+    assert_int_equal(sphaera_price_measure(s, &o, -1, 1, 0, &price, &error), -1);
+    o.profile = "none";
+    assert_int_equal(sphaera_price_measure(s, &o, 0, 0, 0, &price, &error), -1);
+    sphaera_price_free(NULL);
+    sphaera_scene_free(s);
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_null), cmocka_unit_test(test_rays),
-                                       cmocka_unit_test(test_options),
-                                       cmocka_unit_test(test_scenes), cmocka_unit_test(test_kinds)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_null),   cmocka_unit_test(test_rays),  cmocka_unit_test(test_options),
+        cmocka_unit_test(test_scenes), cmocka_unit_test(test_kinds), cmocka_unit_test(test_price)};
     return cmocka_run_group_tests_name("library", tests, NULL, NULL);
 }

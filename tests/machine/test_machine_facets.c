@@ -146,14 +146,14 @@ static void test_corners(void **unused) {
         int32_t v[3][3] = {{100, -100, -100}, {100, 100, -100}, {100, 0, 100}};
         uint32_t line[SPH_LINE_WORDS] = {0}, errors = 0;
         struct sph_counters c = {{0}};
-        struct sph_probe probe = sph_probe_of(&m, &ray, &c, &errors);
+        struct sph_ray_query query = sph_ray_query_of(&m, &ray, &c, &errors);
         for (int i = 0; i < 2 && moved >= 0; i++)
             v[moved][i + 1] = away[moved][i];
         for (int i = 0; i < 9; i++)
             sph_field_set(line, 24 * i, 24, (uint32_t)v[i / 3][i % 3]);
         sph_field_set(line, FACET(KIND), SPH_TRIANGLE);
-        sph_leaf_visit(&probe, line);
-        assert_int_equal(probe.best.key, moved < 0 ? 100 * 1000 : 0);
+        sph_leaf_visit(&query, line);
+        assert_int_equal(query.best.key, moved < 0 ? 100 * 1000 : 0);
     }
     sph_machine_free(&m);
 }
@@ -207,12 +207,12 @@ static void test_no_kind(void **unused) {
     for (uint32_t kind = 0; kind < 3 + (1 << SPH_FACET_MORE_BITS); kind++) {
         uint32_t line[SPH_LINE_WORDS] = {0}, errors = 0;
         struct sph_counters c = {{0}};
-        struct sph_probe probe = sph_probe_of(&m, &ray, &c, &errors);
+        struct sph_ray_query query = sph_ray_query_of(&m, &ray, &c, &errors);
         sph_field_set(line, FACET(KIND), kind < 3 ? kind : 3);
         if (kind >= 3) sph_field_set(line, FACET(MORE), kind - 3);
-        sph_leaf_visit(&probe, line);
+        sph_leaf_visit(&query, line);
         assert_int_equal(errors, kind < SPH_KINDS ? 0 : 1 << SPH_ERROR_BAD_NODE);
-        assert_int_equal(probe.best.key, 0);
+        assert_int_equal(query.best.key, 0);
         assert_int_equal(c.count[SPH_COUNT_LEAF_TESTS], kind == SPH_SPHERE);
         assert_int_equal(c.count[SPH_COUNT_FACET_TESTS], kind == SPH_TRIANGLE || kind == SPH_PLANE);
     }

@@ -90,8 +90,8 @@ static void test_damaged_bytes(void **unused) {
     bytes[n - 9] ^= 1, put_file(bytes, n), refused("checksum"), bytes[n - 9] ^= 1;
     bytes[n - 1] ^= 1, put_file(bytes, n), refused("checksum"), bytes[n - 1] ^= 1;
     bytes[0] ^= 1, put_file(bytes, n), refused("magic"), bytes[0] ^= 1;
-    bytes[SPH_AT_VERSION] ^= 1, put_file(bytes, n), refused("version is 7, not 6");
-    bytes[SPH_AT_VERSION] ^= 2, put_file(bytes, n), refused("version is 5, not 6"), /* old */
+    bytes[SPH_AT_VERSION] ^= 1, put_file(bytes, n), refused("version is 6, not 7");
+    bytes[SPH_AT_VERSION] ^= 2, put_file(bytes, n), refused("version is 4, not 7"), /* old */
         bytes[SPH_AT_VERSION] ^= 3;
     sph_put32(bytes + SPH_AT_LINES, 0xffffffff); /* must not be allocated */
     put_file(bytes, n), refused("by its header");

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * Random and aimed rays of every profile, ends of ranges, groups; and that every number fits the
- * width that docs/design/facet.md gives it.
+ * width that docs/design/primitives.md gives it.
  */
 #include "vectors.h"
 

@@ -10,11 +10,11 @@ set -u
 . "$(dirname "$0")/../tap.sh"
 cd "$(dirname "$0")/../.." || exit 1
 here=$PWD
-mkdir -p "$TMP/copy" && cp -r VERSION cmodel rtl sim tb "$TMP/copy" && cd "$TMP/copy" || exit 1
+mkdir -p "$TMP/copy" && cp -r VERSION cmodel lab rtl sim tb "$TMP/copy" && cd "$TMP/copy" || exit 1
 
 # ---- a kind more ----
 sed -i 's/^kind   2      plane .*/&\nkind   3      wedge/' cmodel/machine/machine.def
-sh sim/layout.sh || exit 1
+mkdir driver docs && python3 -m lab layout || exit 1
 run() { # top, files
     top=$1
     shift

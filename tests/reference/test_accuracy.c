@@ -208,7 +208,7 @@ static void mistakes(void **state) {
     assert_int_equal(report.lights[0], 1);
     assert_int_equal(sph_render(&m, &how, &frame, &c, &err), 0);
     struct sph_reference r = reference(&scene, 48, 48, NULL);
-    struct sph_accuracy_frame view = {&m, &frame, trails, report.lights, 0, 1};
+    struct sph_accuracy_frame view = {&m, &frame, trails, report.lights, 0, 1, NULL};
 
     struct sph_accuracy e = sph_accuracy_measure(&view, &r);
     assert_int_equal(e.image.silhouette + e.image.wrong_id + e.shadow + e.reflected, 0);

@@ -128,8 +128,7 @@ static void tie_of_three(void **state) {
         struct sph_reference r = render(s, SIDE, SIDE);
         const struct sph_reference_pixel *middle = &r.pixels[SIDE / 2 * SIDE + SIDE / 2];
         assert_int_equal(middle->id, 0);
-        assert_int_equal(middle->doubt & SPH_DOUBT_SEEN,
-                         s->n_spheres); /* it is one point of the sphere alone */
+        assert_int_equal(middle->doubt, s->n_spheres); /* it is one point of the sphere alone */
         assert_int_equal(middle->shadow, 0);
         assert_int_equal(middle[2].id, s->n_spheres);
         assert_int_equal(middle[2].doubt, 0);
@@ -186,9 +185,8 @@ static void doubt_is_apart(void **state) {
     (void)state;
     struct sph_pixel p[3] = {
         {.colour = {9, 9, 9}, .id = 1}, {.colour = {0, 0, 90}, .id = 1}, {.id = SPH_ID_NONE}};
-    struct sph_reference_pixel q[3] = {{.colour = {9, 9, 9}, .id = 2, .doubt = SPH_DOUBT_SEEN},
-                                       {.id = 2, .doubt = SPH_DOUBT_LATER},
-                                       {.id = SPH_ID_NONE}};
+    struct sph_reference_pixel q[3] = {
+        {.colour = {9, 9, 9}, .id = 2, .doubt = 1}, {.id = 2, .doubt = 1}, {.id = SPH_ID_NONE}};
     struct sph_frame f = {3, 1, p};
     struct sph_reference r = {.width = 3, .height = 1, .pixels = q};
     struct sph_image_error e = sph_reference_compare(&f, &r);

@@ -108,7 +108,7 @@ static int read_scene(const char *path, struct sph_scene *scene, struct sph_erro
 static int answered(const char *path) {
     static struct sph_build_report report;
     struct sph_build_options o = SPH_BUILD_DEFAULT;
-    struct sph_keep keep = {SPH_KEEP_PIXELS, SPH_KEEP_PSNR};
+    struct sph_error_bound bound = {SPH_ERROR_BOUND_PIXELS, SPH_ERROR_BOUND_PSNR};
     struct sph_profile_choice choice;
     struct sph_scene scene;
     struct sph_machine m;
@@ -122,7 +122,7 @@ static int answered(const char *path) {
             scene.spheres[i].texture = 0;
         for (uint32_t i = 0; i < scene.n_facets; i++)
             scene.facets[i].texture = 0;
-        if (!sph_build_kept(&scene, &o, 1, &keep, &choice, &m, &report, &err)) {
+        if (!sph_build_kept(&scene, &o, 1, &bound, &choice, &m, &report, &err)) {
             FILE *nowhere = fopen("/dev/null", "w");
             if (!nowhere) _exit(3);
             sph_machine_describe(&m, nowhere);

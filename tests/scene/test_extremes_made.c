@@ -64,7 +64,7 @@ static void set(struct sph_generate_options *o, int field, int i) {
 static void use(const struct sph_scene *scene, const char *kind) {
     static struct sph_build_report report;
     struct sph_build_options o = SPH_BUILD_DEFAULT;
-    const struct sph_keep keep = {SPH_KEEP_PIXELS, SPH_KEEP_PSNR};
+    const struct sph_error_bound bound = {SPH_ERROR_BOUND_PIXELS, SPH_ERROR_BOUND_PSNR};
     struct sph_profile_choice choice;
     struct sph_machine m;
     struct sph_error err = {""};
@@ -80,7 +80,7 @@ static void use(const struct sph_scene *scene, const char *kind) {
         fail_msg("%s: not read again: %s", doing, err.text);
     sph_scene_free(&back);
     free(text);
-    if (sph_build_kept(scene, &o, 1, &keep, &choice, &m, &report, &err)) {
+    if (sph_build_kept(scene, &o, 1, &bound, &choice, &m, &report, &err)) {
         if (strncmp(err.text, kind, strlen(kind))) fail_msg("%s: %s", doing, err.text);
         return;
     }

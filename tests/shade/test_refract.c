@@ -1,7 +1,7 @@
 /* test_refract.c - refracted directions: exact sign, Snell's law, bound of the error
  * SPDX-License-Identifier: Apache-2.0
  *
- * docs/design/refraction.md. The naive model computes in unbounded integers, Snell's law is checked
+ * docs/design/shading.md. The naive model computes in unbounded integers, Snell's law is checked
  * in real numbers of 64 bits.
  */
 #include "vectors.h"
@@ -98,7 +98,7 @@ static double off(const struct meeting *m, uint32_t from, uint32_t to, const int
     return (double)(length(c) / (length(t) * length(o)));
 }
 
-/* Least bound of docs/design/refraction.md, radians. */
+/* Least bound of docs/design/shading.md, radians. */
 static double bound(const struct sph_profile *p) {
     double root = ldexp(1 / 250.0, 14 - p->w - p->wd), cut = p->pr ? ldexp(1, 1 - p->pr) : 0;
     return root + cut + sqrt(3) / 2 * ldexp(1, 2 - p->wd);
@@ -198,7 +198,7 @@ static int bits_of(sph_i128 x) {
     return sph_bit_length128((sph_u128)(x < 0 ? ~x : x));
 }
 
-/* The widths of docs/design/refraction.md hold at the ends of all ranges, and X and T fill theirs
+/* The widths of docs/design/shading.md hold at the ends of all ranges, and X and T fill theirs
  * but for a few bits. */
 static void widths(void **state) {
     (void)state;

@@ -44,7 +44,7 @@ check "and so is the frame file" "$s" compare "$TMP/one.frame" "$TMP/a-0003.fram
 sed 's/^b .*/&\nfly 2 2 1.5 6.3 -0.2 1.15 0/' $robot >"$TMP/fly.nff"
 cp scenes/texture/*.png "$TMP"
 fly() { # shellcheck disable=SC2086
-    "$s" build "$TMP/fly.nff" $size --profile draft "$@" >"$TMP/text" 2>&1
+    "$s" build "$TMP/fly.nff" $size --profile draft --effects all "$@" >"$TMP/text" 2>&1
 }
 fly --frames 1..3 -o "$TMP/fly.sph"
 for frame in 1 2 3; do

@@ -8,7 +8,7 @@ s=$SPHAERA
 has() { grep -q -- "$1" "$2"; }
 
 # ---- every scene in every profile: no picture is worse than was expected ----
-awk -f tests/tool/cover.awk >"$TMP/cover.nff"
+python3 tests/tool/profile.py cover >"$TMP/cover.nff"
 "$s" gen sphereflake:4 -o "$TMP/flake.nff" >"$TMP/text"
 "$s" gen scenario1 -n 64 -o "$TMP/many.nff" >"$TMP/text"
 measure() {
@@ -24,12 +24,13 @@ measure() {
     done
 }
 measure >"$TMP/runs"
-check "nothing is worse than expected" awk -f tests/tool/expected.awk "$TMP/runs"
+check "nothing is worse than expected" python3 tests/tool/profile.py expected "$TMP/runs"
 check "... of 20 scenes and more" sh -c \
-    "awk -f tests/tool/expected.awk '$TMP/runs' | awk -F'|' 'NF > 5 { n[\$2] } END {
+    "python3 tests/tool/profile.py expected '$TMP/runs' | awk -F'|' 'NF > 5 { n[\$2] } END {
         exit length(n) < 20 }'"
 check "a wrong expectation is noticed" sh -c "awk '/^expected/ { \$2 += 12; \$4 /= 9 } { print }' \
-    '$TMP/runs' | awk -f tests/tool/expected.awk | [ \$(grep -c worse) -gt 20 ]"
+    '$TMP/runs' >'$TMP/wrong'; python3 tests/tool/profile.py expected '$TMP/wrong' |
+    [ \$(grep -c worse) -gt 20 ]"
 
 # ---- auto: the cheapest that keeps what is asked for ----
 takes() { # profile, scene, options

@@ -29,6 +29,24 @@ check "build is repeatable" same_files a.sph a2.sph
 check "build report" json build.json 'r["command"] == "build" and r["machine"]["spheres"] == 10 and
     r["build"]["nodes"] > 0 and r["build"]["warnings"] == []'
 check "info" sh -c "'$s' info a.sph --json info.json | grep -q 'WD 17'"
+levels() { # scene, options: build and info name the same nodes and levels
+    "$s" build "$@" -o levels.sph >levels.txt 2>&1 && "$s" info levels.sph >>levels.txt
+    grep -o '[0-9]* nodes on [0-9]* levels' levels.txt | uniq -c | grep ' 2 [1-9]' || {
+        cat levels.txt && false; }
+}
+while read -r scene options; do
+    # shellcheck disable=SC2086  # words
+    check "levels of the tree, $scene $options" levels "$root/$scene" $options
+done <<END
+scenes/paper100.nff --tree paper
+scenes/paper100.nff --tree balanced
+scenes/paper100.nff --tree reinserted
+scenes/paper100.nff --accel bih
+scenes/paper100.nff --accel brute
+scenes/one_sphere.nff
+scenes/facets/plane.nff
+scenes/facets/room.nff
+END
 check "info report" json info.json 'r["machine"]["profile"] == "standard"'
 "$s" info a.sph --pixel 30,24 --json rays.json | sed -n '/^rays/,$p' >rays.txt
 check "rays of a pixel" json rays.json 'r["pixel_rays"][0]["kind"] == "primary" and any(

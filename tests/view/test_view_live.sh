@@ -8,7 +8,7 @@ set -u
 . "$(dirname "$0")/../tap.sh"
 cd "$(dirname "$0")/../.." || exit 1
 s=$SPHAERA
-page=docs/guide/view.md
+page=docs/reference/tool.md
 has() { grep -qF -- "$1" "$2"; } # text, file
 said() { check "... and says so" has "$1" "$TMP/err"; }
 

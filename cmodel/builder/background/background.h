@@ -1,7 +1,7 @@
 /* background.h - background separation: which pixels are traced, as registers and memory words
  * SPDX-License-Identifier: Apache-2.0
  *
- * Borodavka et al. V. docs/results/background.md compares the ways and proves that none loses a
+ * Borodavka et al. V. docs/results/effects.md compares the ways and proves that none loses a
  * hit.
  */
 #ifndef SPH_BUILD_BACKGROUND_H

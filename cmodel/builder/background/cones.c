@@ -71,20 +71,20 @@ void sph_cone_row(const struct sph_cone *cone, int width, int y, int32_t *first,
 }
 
 /* Stores the low n*32 bits of value in n words. */
-static void put(uint32_t *line, int lsb, int n, wide value) {
+static void store_words(uint32_t *line, int lsb, int n, wide value) {
     for (int i = 0; i < n; i++)
         line[lsb / 32 + i] = (uint32_t)((unsigned __int128)value >> 32 * i);
 }
 
 void sph_cone_put(uint32_t *lines, const struct sph_cone *cone) {
-    put(lines, SPH_CONE_F_LSB, SPH_CONE_F_BITS / 32, cone->f);
-    put(lines, SPH_CONE_FX_LSB, SPH_CONE_FX_BITS / 32, cone->fx);
-    put(lines, SPH_CONE_FY_LSB, SPH_CONE_FY_BITS / 32, cone->fy);
-    put(lines, SPH_CONE_FXX_LSB, SPH_CONE_FXX_BITS / 32, cone->fxx);
-    put(lines, SPH_CONE_FXY_LSB, SPH_CONE_FXY_BITS / 32, cone->fxy);
-    put(lines, SPH_CONE_FYY_LSB, SPH_CONE_FYY_BITS / 32, cone->fyy);
-    put(lines, SPH_CONE_B_LSB, SPH_CONE_B_BITS / 32, cone->b);
-    put(lines, SPH_CONE_BX_LSB, SPH_CONE_BX_BITS / 32, cone->bx);
-    put(lines, SPH_CONE_BY_LSB, SPH_CONE_BY_BITS / 32, cone->by);
-    put(lines, SPH_CONE_INSIDE_LSB & ~31, 1, cone->inside);
+    store_words(lines, SPH_CONE_F_LSB, SPH_CONE_F_BITS / 32, cone->f);
+    store_words(lines, SPH_CONE_FX_LSB, SPH_CONE_FX_BITS / 32, cone->fx);
+    store_words(lines, SPH_CONE_FY_LSB, SPH_CONE_FY_BITS / 32, cone->fy);
+    store_words(lines, SPH_CONE_FXX_LSB, SPH_CONE_FXX_BITS / 32, cone->fxx);
+    store_words(lines, SPH_CONE_FXY_LSB, SPH_CONE_FXY_BITS / 32, cone->fxy);
+    store_words(lines, SPH_CONE_FYY_LSB, SPH_CONE_FYY_BITS / 32, cone->fyy);
+    store_words(lines, SPH_CONE_B_LSB, SPH_CONE_B_BITS / 32, cone->b);
+    store_words(lines, SPH_CONE_BX_LSB, SPH_CONE_BX_BITS / 32, cone->bx);
+    store_words(lines, SPH_CONE_BY_LSB, SPH_CONE_BY_BITS / 32, cone->by);
+    store_words(lines, SPH_CONE_INSIDE_LSB & ~31, 1, cone->inside);
 }

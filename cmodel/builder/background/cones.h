@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * A ray hits iff f > 0 && (b > 0 || k > 0) with f = k*a + b^2 (Borodavka et al. VI.A). Along the
- * frame dir is linear, so b is linear and f quadratic in x and y. docs/results/background.md.
+ * frame dir is linear, so b is linear and f quadratic in x and y. docs/results/effects.md.
  */
 #ifndef SPH_CONES_H
 #define SPH_CONES_H

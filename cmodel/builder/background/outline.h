@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * Points on meridians and parallels of a sphere, projected to pixels; first and last of each row;
- * first and last of each column; a border. docs/results/background.md shows a picture of each step.
+ * first and last of each column; a border. docs/results/effects.md shows a picture of each step.
  * In double, and so by itself safe for no picture: spans.h checks the result in integers.
  */
 #ifndef SPH_OUTLINE_H

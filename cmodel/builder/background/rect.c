@@ -1,4 +1,4 @@
-/* rect.c - background separation in exact integers; see rect.h and docs/results/background.md
+/* rect.c - background separation in exact integers; see rect.h and docs/results/effects.md
  * SPDX-License-Identifier: Apache-2.0
  *
  * In the xz plane a ray of slope s = n/d misses the circle (X, depth D, R), D > R, iff

@@ -14,7 +14,7 @@ struct sph_rect {
 
 /* The rectangle outside of which no primary ray hits the sphere `root` (grid units): the four
  * points C +- 1.4 R of Borodavka et al. V.C where they are safe, the tangents where not, the
- * whole frame where the sphere surrounds the eye or reaches beside it. docs/results/background.md
+ * whole frame where the sphere surrounds the eye or reaches beside it. docs/results/effects.md
  * proves it. Counts its arithmetic in *work. */
 struct sph_rect sph_rect_project(const struct sph_ball *root, const int32_t eye[3],
                                  const struct sph_rays *rays, int width, int height,

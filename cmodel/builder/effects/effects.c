@@ -109,13 +109,17 @@ static int find_inside(const struct sph_survey *s, struct sph_build_report *repo
         inside->called = 1;
     else
         WHY(inside, "%s%s", near.why, near.called || !s->world.n ? "" : ", and the eye is in none");
+    if (inside->called && o->unmet && o->unmet->inside)
+        sph_leave_out(inside, "no ray of this frame starts in one");
     sph_settle(inside, o->inside);
     if (cut->on && !inside->on) {
         inside->on = 1;
+        inside->left_out = 0;
         WHY(inside, "; interpenetrate needs it");
     }
     if (s->refracts && !inside->on) {
         inside->on = 1;
+        inside->left_out = 0;
         WHY(inside, "; refract needs it");
     }
     return 0;
@@ -152,6 +156,9 @@ int sph_emit_effects(const struct sph_survey *survey, struct sph_machine *machin
     sph_choose_lights(s, &lights, &effects[SPH_REPORT_LIGHTS]);
     sph_emit_lights(s, &lights, machine, report);
     find_shadow(s, &lights, &effects[SPH_REPORT_SHADOW]);
+    if (effects[SPH_REPORT_SHADOW].called && s->options->unmet && s->options->unmet->shadow)
+        sph_leave_out(&effects[SPH_REPORT_SHADOW],
+                      "nothing that this frame shows lies in a shadow");
     sph_settle(&effects[SPH_REPORT_SHADOW], s->options->shadow);
     sph_find_clear(s, effects[SPH_REPORT_SHADOW].on, &effects[SPH_REPORT_CLEAR]);
     sph_find_reflect(s, &effects[SPH_REPORT_REFLECT]);

@@ -7,6 +7,7 @@
 #include "builder/build.h"
 #include "builder/effects/occlude.h"
 #include "builder/grid/grid.h"
+#include "builder/prim/build.h"
 
 /* A scene on the grid, and what is asked for. */
 struct sph_survey {
@@ -49,6 +50,18 @@ int sph_may_pass(const struct sph_survey *survey);
 
 /* SMOOTH: triangles with normals that are not their own. */
 void sph_find_smooth(const struct sph_survey *survey, struct sph_effect_report *entry);
+
+/* An effect for which all calls that rays of the frame do not meet: leaves it out and says so. */
+void sph_leave_out(struct sph_effect_report *entry, const char *why);
+
+/* 1 if no ray of the frame asks what primitive `prim` looks like. */
+int sph_is_unmet(const struct sph_scene *scene, const struct sph_build_options *options,
+                 const struct sph_grid_prim *prim);
+
+/* LEFT_OUT in the records of what no ray of the frame is to meet and what asks for an effect that
+ * was left out; and ONE_CAMERA. Behind all other effects. */
+void sph_emit_left_out(const struct sph_survey *survey, struct sph_machine *machine,
+                       const struct sph_build_report *report);
 
 /* What `asked` makes of an effect that the scene calls for or not; entry->why tells that. */
 void sph_settle(struct sph_effect_report *entry, int asked);

@@ -34,19 +34,22 @@ void sph_find_facets(const struct sph_survey *s, struct sph_effect_report *entry
 
 void sph_find_smooth(const struct sph_survey *s, struct sph_effect_report *entry) {
     const struct sph_facets *f = s->world.facets;
-    uint32_t n = 0, first = 0;
-    for (uint32_t i = f->n; i-- > 0;)
-        if (sph_smooth_bends(&s->scene->facets[f->list[i].scene])) n++, first = i;
+    uint32_t n = 0, first = 0, met = 0;
+    for (uint32_t i = f->n; i-- > 0;) {
+        struct sph_grid_prim prim = sph_grid_prim_of(s->world.balls, s->world.n, f, s->world.n + i);
+        if (!sph_smooth_bends(&s->scene->facets[prim.index])) continue;
+        n++, first = i;
+        met += !sph_is_unmet(s->scene, s->options, &prim);
+    }
     entry->called = n > 0;
-    sph_settle(entry, s->options->smooth);
-    if (entry->on && !f->n) {
-        sph_drop(entry, "there is no triangle");
-    } else if (!n) {
-        WHY(entry, "no triangle has normals but its own");
-    } else {
+    if (n)
         WHY(entry, "%u triangles have normals, the first is that %s", n,
             sph_facet_place(s, first).text);
-    }
+    else
+        WHY(entry, "no triangle has normals but its own");
+    if (n && !met) sph_leave_out(entry, "no ray of this frame meets one");
+    sph_settle(entry, s->options->smooth);
+    if (entry->on && !f->n) sph_drop(entry, "there is no triangle");
 }
 
 void sph_find_facet_shadow(const struct sph_survey *s, struct sph_effect_report *entry) {

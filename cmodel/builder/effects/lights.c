@@ -7,19 +7,16 @@
 #include "builder/emit.h"
 #include "builder/grid/light.h"
 
-/* A black light reaches nothing. */
-static int is_black(const struct sph_light *light) {
-    int any = 0, clamped = 0;
-    for (int i = 0; i < 3; i++)
-        any |= sph_u1_15(light->rgb[i], &clamped);
-    return !any;
-}
-
 /* Why a light of the scene reaches nothing; 0 if it may reach something. */
 static int explain_dark(const struct sph_survey *s, int light, int shadow, char *why, size_t size) {
     const struct sph_light *lamp = &s->scene->lights[light];
     int32_t at[3];
-    if (is_black(lamp)) {
+    if (s->options->unmet && s->options->unmet->lights >> light & 1) {
+        sph_note(why, size, "left out: %s lights nothing that this frame shows",
+                 sph_light_place(s->scene, light).text);
+        return 1;
+    }
+    if (sph_light_black(lamp)) {
         sph_note(why, size, "%s is black", sph_light_place(s->scene, light).text);
         return 1;
     }
@@ -50,6 +47,7 @@ void sph_choose_lights(const struct sph_survey *s, struct sph_lights *lights,
     }
     report->on = lights->count;
     report->called = lights->called;
+    report->left_out = asked == SPH_AUTO && s->options->unmet && s->options->unmet->lights;
     if (asked != SPH_AUTO) sph_note(report->why, sizeof report->why, "as asked; ");
     sph_note(report->why, sizeof report->why, n ? "%d of the scene's %d" : "the scene has none",
              lights->count, n);

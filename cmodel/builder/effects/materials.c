@@ -3,7 +3,6 @@
  */
 #include "builder/effects/effects.h"
 #include "builder/emit.h"
-#include "builder/prim/build.h"
 
 #define WHY(entry, ...) sph_note((entry)->why, sizeof(entry)->why, __VA_ARGS__)
 
@@ -15,9 +14,10 @@ static int passes(const struct sph_material *material) {
     return material->passes;
 }
 
-/* The used material for which `weight` is the largest, the first of equals; NULL if all are 0. */
+/* The used material for which `weight` is the largest, the first of equals; NULL if all are 0.
+ * met: of those that rays of the frame meet. */
 static const struct sph_material *best(const struct sph_survey *s,
-                                       int (*weight)(const struct sph_material *)) {
+                                       int (*weight)(const struct sph_material *), int met) {
     const struct sph_scene *scene = s->scene;
     const struct sph_world *w = &s->world;
     const struct sph_material *best = NULL;
@@ -25,9 +25,20 @@ static const struct sph_material *best(const struct sph_survey *s,
         struct sph_grid_prim prim = sph_grid_prim_of(w->balls, w->n, w->facets, id);
         const struct sph_material *m =
             &scene->materials[sph_grid_appearance(scene, &prim).material];
-        if (m != best && weight(m) > (best ? weight(best) : 0)) best = m;
+        if (m == best || weight(m) <= (best ? weight(best) : 0)) continue;
+        if (!met || !sph_is_unmet(scene, s->options, &prim)) best = m;
     }
     return best;
+}
+
+static const char UNMET[] = "no ray of this frame meets it";
+
+/* What calls for an effect; if rays of the frame meet none of it, *unmet, what they do not meet. */
+static const struct sph_material *caller(const struct sph_survey *s,
+                                         int (*weight)(const struct sph_material *), int *unmet) {
+    const struct sph_material *met = best(s, weight, 1), *any = met ? met : best(s, weight, 0);
+    *unmet = any && !met;
+    return any;
 }
 
 static struct sph_place place(const struct sph_survey *s, const struct sph_material *m) {
@@ -36,27 +47,29 @@ static struct sph_place place(const struct sph_survey *s, const struct sph_mater
 }
 
 void sph_find_reflect(const struct sph_survey *s, struct sph_effect_report *entry) {
-    const struct sph_material *mirror = best(s, sph_material_kr);
-    int depth = s->options->max_depth, asked = s->options->reflect;
+    int depth = s->options->max_depth, asked = s->options->reflect, unmet;
+    const struct sph_material *mirror = caller(s, sph_material_kr, &unmet);
     if (!mirror)
         WHY(entry, "no used material mirrors (ks is 0)");
     else
         WHY(entry, "%s mirrors %d/256, depth %d", place(s, mirror).text, sph_material_kr(mirror),
             depth);
     entry->called = mirror ? depth : 0;
+    if (unmet && depth) sph_leave_out(entry, UNMET);
     sph_settle(entry, asked == SPH_ON ? depth : asked);
 }
 
 int sph_find_refract(const struct sph_survey *s, struct sph_effect_report *entry,
                      struct sph_error *err) {
-    const struct sph_material *glass = best(s, sph_material_kt);
-    int depth = s->options->max_depth;
+    int depth = s->options->max_depth, unmet;
+    const struct sph_material *glass = caller(s, sph_material_kt, &unmet);
     if (!glass)
         WHY(entry, "no used material transmits");
     else
         WHY(entry, "%s transmits %d/256, depth %d", place(s, glass).text, sph_material_kt(glass),
             depth);
     entry->called = glass && depth;
+    if (unmet && depth) sph_leave_out(entry, UNMET);
     sph_settle(entry, s->options->refract);
     if (!entry->on) return 0;
     struct sph_place at = {""};
@@ -74,7 +87,8 @@ int sph_find_refract(const struct sph_survey *s, struct sph_effect_report *entry
 
 void sph_find_specular(const struct sph_survey *s, const struct sph_lights *lights,
                        struct sph_effect_report *entry) {
-    const struct sph_material *shiny = best(s, sph_material_ks);
+    int unmet;
+    const struct sph_material *shiny = caller(s, sph_material_ks, &unmet);
     if (!shiny)
         WHY(entry, "no used material has highlights");
     else if (!lights->n_shining)
@@ -83,24 +97,28 @@ void sph_find_specular(const struct sph_survey *s, const struct sph_lights *ligh
         WHY(entry, "%s has highlights of %d/255, power %g", place(s, shiny).text,
             sph_material_ks(shiny), shiny->shine);
     entry->called = shiny && lights->n_shining;
+    if (unmet && lights->n_shining) sph_leave_out(entry, UNMET);
     sph_settle(entry, s->options->specular);
 }
 
 void sph_find_sum(const struct sph_survey *s, struct sph_effect_report *entry) {
-    const struct sph_material *sum = best(s, is_sum);
-    entry->on = entry->called = sum != NULL;
+    int unmet;
+    const struct sph_material *sum = caller(s, is_sum, &unmet);
+    entry->called = sum != NULL;
     if (sum)
         WHY(entry, "%s is shaded by Whitted's sum", place(s, sum).text);
     else
         WHY(entry, "every used material blends");
+    if (unmet) sph_leave_out(entry, UNMET);
+    entry->on = entry->called;
 }
 
 int sph_may_pass(const struct sph_survey *s) {
-    return s->options->clear != SPH_OFF && best(s, passes);
+    return s->options->clear != SPH_OFF && best(s, passes, 0);
 }
 
 void sph_find_clear(const struct sph_survey *s, int shadow, struct sph_effect_report *entry) {
-    const struct sph_material *clear = best(s, passes);
+    const struct sph_material *clear = best(s, passes, 0);
     entry->called = clear && shadow;
     if (!clear)
         WHY(entry, "no used material lets shadow rays pass");

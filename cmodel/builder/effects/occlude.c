@@ -21,8 +21,8 @@ static int64_t dot(const int64_t a[3], const int64_t b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-static int near(const struct sph_grid_facet *facet, const struct sph_ball *ball,
-                const struct sph_profile *p) {
+static int comes_near(const struct sph_grid_facet *facet, const struct sph_ball *ball,
+                      const struct sph_profile *p) {
     return sph_prim_build_of((uint32_t)facet->kind)->near(facet, ball, p);
 }
 
@@ -31,7 +31,7 @@ int sph_near_facet(const struct sph_world *w, uint32_t *facet, uint32_t *ball) {
     for (uint32_t i = 0; i < w->facets->n; i++)
         for (uint32_t j = 0; j < w->n; j++) {
             if (tries > MOST_TRIES) return -1;
-            if (!near(&w->facets->list[i], &w->balls[j], w->profile)) continue;
+            if (!comes_near(&w->facets->list[i], &w->balls[j], w->profile)) continue;
             *facet = i, *ball = j;
             return 1;
         }
@@ -115,7 +115,7 @@ uint32_t sph_dark_ball(const struct sph_world *world, const int32_t light[3]) {
         if (i != around && sph_nearness(ball, &world->balls[i], world->profile) != SPH_APART)
             return world->n;
     for (uint32_t i = 0; i < world->facets->n; i++)
-        if (near(&world->facets->list[i], ball, world->profile)) return world->n;
+        if (comes_near(&world->facets->list[i], ball, world->profile)) return world->n;
     return around;
 }
 

@@ -27,6 +27,7 @@ struct sph_place sph_light_place(const struct sph_scene *scene, int index) {
 void sph_settle(struct sph_effect_report *entry, int asked) {
     char found[sizeof entry->why] = "";
     entry->on = asked == SPH_AUTO ? entry->called : asked;
+    entry->left_out = entry->left_out && !entry->on && asked == SPH_AUTO;
     if (asked == SPH_AUTO) return;
     sph_note(found, sizeof found, "%s", entry->why);
     entry->why[0] = 0;

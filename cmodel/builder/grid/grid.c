@@ -38,7 +38,7 @@ static int add_facets(const struct sph_scene *scene, const double m[9], struct s
     return 0;
 }
 
-/* Adds the lights. */
+/* Adds the lights but for black ones. */
 static int add_lights(const struct sph_scene *scene, struct sph_vec from, const double m[9],
                       struct sph_box *box, struct sph_error *err) {
     double at[3];
@@ -46,7 +46,7 @@ static int add_lights(const struct sph_scene *scene, struct sph_vec from, const 
         sph_vec_turn(m, sph_vec_sub(scene->lights[l].pos, from), at);
         if (!isfinite(at[0] + at[1] + at[2]))
             return sph_fail(err, "%s: light %d is not at a finite place", scene->path, l);
-        sph_box_add(box, at, 0);
+        if (!sph_light_black(&scene->lights[l])) sph_box_add(box, at, 0);
     }
     return 0;
 }
@@ -138,7 +138,8 @@ static int all_fit(const struct sph_grid *grid, const struct sph_scene *scene,
     memcpy(ball.c, grid->eye, sizeof ball.c);
     if (!sph_grid_fits(grid, &ball)) return 0;
     for (int l = 0; l < scene->n_lights; l++) {
-        if (!sph_light_sound(grid, scene->lights[l].pos, &extent)) return 0;
+        const struct sph_light *lamp = &scene->lights[l];
+        if (!sph_light_black(lamp) && !sph_light_sound(grid, lamp->pos, &extent)) return 0;
     }
     for (uint32_t i = 0; i < scene->n_spheres; i++) {
         ball = sph_grid_ball(grid, &scene->spheres[i]);

@@ -6,6 +6,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "builder/effects/effects.h"
 #include "math/fx.h"
 
 enum { LONGEST = (1 << SPH_LIGHT_SHIFT_BITS) - 1 };
@@ -54,6 +55,13 @@ int sph_light_sound(const struct sph_grid *grid, struct sph_vec pos, const struc
     int64_t end = away + at[k] - sph_round(away, shift);
     return (at[k] > 0 ? (double)end > e->hi[k] : (double)end < e->lo[k]) &&
            square + 2 * sqrt(square) * e->rad <= ldexp(1, 2 * grid->w + 2);
+}
+
+int sph_light_black(const struct sph_light *light) {
+    int any = 0, clamped = 0;
+    for (int i = 0; i < 3; i++)
+        any |= sph_u1_15(light->rgb[i], &clamped);
+    return !any;
 }
 
 double sph_light_off(const struct sph_grid *grid, struct sph_vec pos) {

@@ -29,6 +29,10 @@ int sph_grid_light(const struct sph_grid *grid, struct sph_vec pos, int32_t out[
 int sph_light_sound(const struct sph_grid *grid, struct sph_vec pos,
                     const struct sph_extent *extent);
 
+/* Whether a light has no colour in the machine: then it reaches nothing, and the grid need not hold
+ * it. */
+int sph_light_black(const struct sph_light *light);
+
 /* How far the machine's light may be from where it stands, in units of the scene. */
 double sph_light_off(const struct sph_grid *grid, struct sph_vec pos);
 

@@ -19,15 +19,18 @@ static int leaves(const struct sph_machine *m, const struct sph_material *materi
            (sph_machine_effect(m, SPH_EFFECT_REFRACT) && sph_material_kt(material));
 }
 
-/* Bends of the spheres that rays leave, if `put`; how many, and which of the scene is the first. */
+/* Bends of the spheres that rays leave, if `put`; how many, which of the scene is the first, and
+ * how many of them rays of the frame meet. */
 static uint32_t bends(const struct sph_scene *scene, const struct sph_plants *plants,
-                      struct sph_machine *m, int put, uint32_t *first) {
-    uint32_t n = 0;
+                      const struct sph_build_options *o, struct sph_machine *m, int put,
+                      uint32_t *first, uint32_t *met) {
+    uint32_t n = *met = 0;
     for (uint32_t id = 0; id < plants->n_spheres; id++) {
         struct sph_grid_prim prim =
             sph_grid_prim_of(plants->balls, plants->n_spheres, plants->facets, id);
         if (!leaves(m, &scene->materials[sph_grid_appearance(scene, &prim).material])) continue;
         if (!n++) *first = prim.index;
+        *met += !sph_is_unmet(scene, o, &prim);
         if (put)
             sph_field_set(sph_line(m, (uint32_t)m->regs[SPH_REG_PRIM_BASE] + id), SPH_PRIM_BEND_LSB,
                           SPH_PRIM_BEND_BITS, sph_bend_of(prim.ball->r));
@@ -40,7 +43,7 @@ void sph_emit_spread(const struct sph_scene *scene, const struct sph_plants *pla
                      struct sph_build_report *report) {
     struct sph_effect_report *entry = &report->effects[SPH_REPORT_SPREAD];
     int textured = sph_machine_effect(machine, SPH_EFFECT_TEXTURE);
-    uint32_t first = 0, n = bends(scene, plants, machine, 0, &first);
+    uint32_t first = 0, met, n = bends(scene, plants, options, machine, 0, &first, &met);
     entry->called = textured && n;
     if (!textured)
         sph_note(entry->why, sizeof entry->why, "no image is shown");
@@ -49,12 +52,13 @@ void sph_emit_spread(const struct sph_scene *scene, const struct sph_plants *pla
     else
         sph_note(entry->why, sizeof entry->why, "rays leave %u spheres, the first is %s", n,
                  sph_sphere_place(scene, first).text);
+    if (entry->called && !met) sph_leave_out(entry, "no ray of this frame meets one");
     sph_settle(entry, options->spread);
     if (entry->on && !textured) sph_drop(entry, "it needs texture, and no image is shown");
     if (entry->on < entry->called)
         sph_note(report->warning, sizeof report->warning, "%s: spread off: %s\n", scene->path,
                  entry->why);
     if (!entry->on) return;
-    bends(scene, plants, machine, 1, &first);
+    bends(scene, plants, options, machine, 1, &first, &met);
     machine->regs[SPH_REG_EFFECTS] |= 1 << SPH_EFFECT_SPREAD;
 }

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "builder/effects/effects.h"
 #include "builder/emit.h"
 #include "builder/texture/map.h"
 #include "common/fnv.h"
@@ -182,12 +183,21 @@ int sph_emit_textures(const struct sph_scene *scene, const struct sph_grid *grid
                       struct sph_error *err) {
     const int32_t *r = machine->regs;
     struct sph_effect_report *entry = &report->effects[SPH_REPORT_TEXTURE];
-    uint32_t n = scene->n_spheres + plants->facets->n, used = 0;
+    uint32_t n = scene->n_spheres + plants->facets->n, used = 0, met = 0, line = 0;
     for (uint32_t id = 0; id < n; id++) {
         struct sph_grid_prim prim = prim_of(plants, id);
-        used += sph_grid_appearance(scene, &prim).texture != 0;
+        struct sph_grid_appearance look = sph_grid_appearance(scene, &prim);
+        if (!look.texture) continue;
+        if (!used++) line = look.line;
+        met += !sph_is_unmet(scene, options, &prim);
     }
     entry->called = used > 0;
+    if (used && !met && options->texture != SPH_OFF) {
+        sph_note(entry->why, sizeof entry->why, "%u primitives have an image, the first is %s",
+                 used, sph_place_of(scene, line, "number", 0).text);
+        sph_leave_out(entry, "no ray of this frame meets one");
+        return 0;
+    }
     if (!used) sph_note(entry->why, sizeof entry->why, "no primitive has an image");
     if (used && options->texture == SPH_OFF) {
         sph_note(entry->why, sizeof entry->why, "off as asked: %u primitives have an image", used);

@@ -77,7 +77,7 @@ static uint32_t collapse(struct work *w, uint32_t pair, int level) {
     uint32_t me = w->n++, children[4];
     struct plan *plan = &w->plans[me];
     int n = 0;
-    if ((uint32_t)level + 2 > w->tree->depth) w->tree->depth = (uint32_t)level + 2;
+    if ((uint32_t)level + 1 > w->tree->depth) w->tree->depth = (uint32_t)level + 1;
     plan->pair = pair;
     plan->n_inner = plan->n_leaf = 0;
     open_pair(w, pair, 4, 1, w->most - level - 1, children, &n);
@@ -179,8 +179,7 @@ static int trivial(const struct work *w, uint32_t n) {
     if (!node) return -1;
     node->n_leaf = (uint8_t)n;
     if (n) node->ball = sph_filter_leaf(&w->balls[0], w->profile);
-    w->tree->n_nodes = 1;
-    w->tree->depth = 2;
+    w->tree->n_nodes = w->tree->depth = 1;
     return 0;
 }
 
@@ -201,7 +200,7 @@ static int again(struct work *w, const struct sph_aabb *boxes, uint32_t n, struc
 }
 
 /* Keeps the split, if that is asked for and there is memory; else frees it. */
-static void keep(struct work *w) {
+static void keep_split(struct work *w) {
     struct sph_split *kept = w->tree->learns ? malloc(sizeof *kept) : NULL;
     if (kept)
         *(w->tree->split = kept) = w->split;
@@ -226,7 +225,7 @@ static int attempt(struct work *w, const struct sph_aabb *boxes, uint32_t n, int
         if (done && put_nodes(w, n)) done = sph_fail(err, "out of memory for a tree");
     }
     if (done > 0 && better && (boxes || n <= SPH_TREE_FEW))
-        keep(w);
+        keep_split(w);
     else
         sph_split_free(&w->split);
     return done;

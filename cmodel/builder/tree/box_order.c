@@ -29,7 +29,7 @@ struct walker {
     const struct sph_ray *ray;
     struct sph_bih_ray planes;
     int32_t depth_max;
-    struct sph_probe probe;
+    struct sph_ray_query query;
 };
 
 /* Walks all that the ray meets below a node, whatever is hit there. Returns its visits there until
@@ -39,11 +39,11 @@ static uint32_t walk(struct walker *w, uint32_t node, int *hit) {
     uint32_t visits = 1;
     *hit = 0;
     if (!sph_visit(w->work->m, w->ray, &w->planes, node, w->depth_max, &met)) return visits;
-    w->probe.best.key = 0;
+    w->query.best.key = 0;
     for (uint32_t j = 0; met.leaves >> j; j++)
         if (met.leaves >> j & 1)
-            sph_leaf_visit(&w->probe, sph_record(w->work->m, w->probe.whole, met.line, j));
-    *hit = w->probe.best.key != 0;
+            sph_leaf_visit(&w->query, sph_record(w->work->m, w->query.whole, met.line, j));
+    *hit = w->query.best.key != 0;
     for (int i = 0; i < met.inner.count; i++) {
         int below;
         uint32_t more = walk(w, met.inner.base + met.inner.list[i].child, &below);
@@ -65,7 +65,7 @@ static void look(void *user, const struct sph_logged *logged) {
     if (ray->kind != SPH_SHADOW) return;
     sph_bih_setup(sph_machine_profile(walker.work->m), ray, &walker.planes);
     walker.depth_max = sph_box_depth(walker.planes.limit);
-    walker.probe = sph_probe_of(walker.work->m, ray, &counters, &errors);
+    walker.query = sph_ray_query_of(walker.work->m, ray, &counters, &errors);
     walk(&walker, (uint32_t)walker.work->m->regs[SPH_REG_ROOT], &hit);
 }
 
@@ -75,7 +75,8 @@ static int before(const struct found *a, const struct found *b) {
 }
 
 /* Child i of a node, which stands in line base + i, becomes that in place `from[i]` of what was. */
-static void put(struct sph_machine *m, uint32_t node, uint32_t base, const int *from, int n) {
+static void reorder_children(struct sph_machine *m, uint32_t node, uint32_t base, const int *from,
+                             int n) {
     uint32_t lines[4][SPH_LINE_WORDS], old[SPH_LINE_WORDS], *line = sph_line(m, node);
     memcpy(lines, sph_line(m, base), (size_t)n * sizeof *lines);
     memcpy(old, line, sizeof old);
@@ -101,7 +102,7 @@ static void order(const struct work *w, struct sph_machine *m, uint32_t node) {
         from[at] = i;
         order(w, m, base + (uint32_t)i);
     }
-    put(m, node, base, from, n);
+    reorder_children(m, node, base, from, n);
 }
 
 int sph_box_order(struct sph_machine *m, struct sph_error *err) {

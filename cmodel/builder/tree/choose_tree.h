@@ -8,7 +8,7 @@
 
 /* The tree, where options->tree is SPH_TREE_AUTO: nodes of four boxes if the scene has triangles,
  * and at least as many as spheres, else of four spheres. Around triangles boxes save visits and
- * tests (docs/results/scenarios.md has the counts); around spheres they save fewer visits, ask for
+ * tests (docs/results/trees.md has the counts); around spheres they save fewer visits, ask for
  * more tests, and are the larger core. What takes the first hit walks spheres. */
 int sph_tree_of(const struct sph_scene *scene, const struct sph_build_options *options);
 

@@ -101,7 +101,7 @@ int sph_tree_paper(const struct sph_ball *balls, uint32_t n, const struct sph_pr
         return sph_fail(err, "out of memory for a tree of %u spheres", n);
     }
     tree->n_nodes = total;
-    tree->depth = levels + 1;
+    tree->depth = levels;
 
     struct box box = EMPTY;
     for (uint32_t i = 0; i < n; i++)

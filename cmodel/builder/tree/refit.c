@@ -57,8 +57,8 @@ static int taken(struct sph_kept_tree *kept, double cost) {
 }
 
 /* Keeps a tree that was built, without what it was collapsed from. */
-static int keep(const struct sph_plants *p, struct sph_kept_tree *kept, const struct sph_tree *tree,
-                struct sph_error *err) {
+static int remember_tree(const struct sph_plants *p, struct sph_kept_tree *kept,
+                         const struct sph_tree *tree, struct sph_error *err) {
     double cost;
     if (sph_tree_cost(p, tree, &cost, err) || note(kept, p, cost, err)) return -1;
     kept->tree = *tree;
@@ -84,7 +84,7 @@ int sph_tree_next(const struct sph_plants *p, struct sph_kept_tree *kept, struct
         free(old.nodes);
         if (failed) return -1;
     }
-    return sph_tree_build(p, tree, err) ? -1 : keep(p, kept, tree, err);
+    return sph_tree_build(p, tree, err) ? -1 : remember_tree(p, kept, tree, err);
 }
 
 int sph_tree_again(const struct sph_plants *p, struct sph_kept_tree *kept,
@@ -94,7 +94,7 @@ int sph_tree_again(const struct sph_plants *p, struct sph_kept_tree *kept,
     tree->seen = m;
     tree->progress = (struct sph_progress){0};
     if (sph_tree_build(p, tree, err)) return -1;
-    return kept && kept->how != SPH_REFIT_OFF ? keep(p, kept, tree, err) : 0;
+    return kept && kept->how != SPH_REFIT_OFF ? remember_tree(p, kept, tree, err) : 0;
 }
 
 /* A BIH with arrays of its own. */

@@ -101,7 +101,7 @@ static struct swap look(const struct work *w, uint32_t node, struct list rays) {
     return best;
 }
 
-static void put(struct sph_links *l, uint32_t parent, uint32_t old, uint32_t new) {
+static void replace_child(struct sph_links *l, uint32_t parent, uint32_t old, uint32_t new) {
     l->child[parent - l->n][l->child[parent - l->n][1] == old] = new;
     l->parent[new] = parent;
 }
@@ -109,8 +109,8 @@ static void put(struct sph_links *l, uint32_t parent, uint32_t old, uint32_t new
 /* Lets two nodes below a node change places. Its own box stays. */
 static void swap(const struct work *w, uint32_t node, uint32_t a, uint32_t b) {
     const uint32_t over[2] = {w->l->parent[a], w->l->parent[b]};
-    put(w->l, over[0], a, b);
-    put(w->l, over[1], b, a);
+    replace_child(w->l, over[0], a, b);
+    replace_child(w->l, over[1], b, a);
     for (int i = 0; i < 2; i++)
         if (over[i] != node)
             w->box[over[i]] = around(w, children(w, over[i])[0], children(w, over[i])[1]);

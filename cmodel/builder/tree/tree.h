@@ -23,7 +23,7 @@ struct sph_tree_node {
 struct sph_tree {
     struct sph_tree_node *nodes; /* root first; malloc */
     uint32_t n_nodes;
-    uint32_t depth; /* levels of nodes, plus one for the leaves */
+    uint32_t depth; /* levels of nodes */
     uint32_t above; /* levels that will be put above: the balanced tree leaves the stack to them */
     int learns;     /* the binary tree that it is collapsed from is to be kept, */
     struct sph_split *split;        /* here; else NULL; malloc */

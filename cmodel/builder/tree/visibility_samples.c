@@ -20,7 +20,7 @@ struct log {
     int boxes, full;
 };
 
-static void keep(struct log *log, const struct sph_visibility_sample *sight) {
+static void append_sample(struct log *log, const struct sph_visibility_sample *sight) {
     struct sph_visibility_samples *all = log->samples;
     if (all->n == log->room) {
         uint32_t room = log->room ? 2 * log->room : ROOM;
@@ -46,7 +46,7 @@ static void log_ray(void *user, const struct sph_logged *logged) {
         s.depth_max = any || !key ? s.ray.depth_max : sph_ray_depth(log->profile, &s.ray, key);
     }
     sph_parallel_lock();
-    keep(log, &s);
+    append_sample(log, &s);
     sph_parallel_unlock();
 }
 

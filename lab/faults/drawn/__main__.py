@@ -5,16 +5,16 @@
        python3 -m lab mutants tell BUILD COUNT SEED
 Round 0 tries each fault in the home of its module; a later round tries what is left in one more
 bench. A job whose result counts is not run again: break it off whenever you like. `tell` writes
-the tables of docs/results/mutants.md."""
+the tables of docs/results/verification.md."""
 import fcntl
 import os
 import shutil
 import sys
 import time
 
+from ...benches import Broken
 from ...jobs import plan as jobs
 from ...jobs import store
-from ..benches import Broken
 from . import benches, binary, page, plan
 from .netlist import Fault
 

@@ -5,8 +5,8 @@ Verilog, and runs, the cheapest first: words of the command, and what it prints 
 import glob
 import os
 
-from .. import benches
-from ..benches import CELLS, Built, Line, shell, words_of
+from ... import benches
+from ...benches import CELLS, Built, Line, shell, words_of
 from . import netlist
 
 NUMBER = '''#include <cstdlib>

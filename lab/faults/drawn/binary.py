@@ -3,7 +3,7 @@
 import os
 import subprocess
 
-from ..benches import Broken
+from ...benches import Broken
 
 PATIENCE, SLACK = 4.0, 1.0  # a fault may take PATIENCE times the sound netlist's, and SLACK seconds
 

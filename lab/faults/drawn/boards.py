@@ -5,7 +5,7 @@ import os
 import re
 from functools import lru_cache
 
-from ..benches import CELLS, shell, words_of
+from ...benches import CELLS, shell, words_of
 from . import netlist
 from .benches import Drawn
 

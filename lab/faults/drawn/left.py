@@ -3,7 +3,7 @@
 """usage: python3 -m lab mutants-left BUILD [BENCH...]
 Each BENCH (tb_leaf/tiny, core/EFFECTS, proof/run) tries all faults that are left in
 docs/results/data and fit into its netlist; without one, entries of tests/faults/equivalent are
-looked at alone. The tables of docs/results/mutants.md are made anew, and told to be as old as
+looked at alone. The tables of docs/results/verification.md are made anew, and told to be as old as
 before. A fault whose line has moved gets the new one; if the source has it no more, what is known
 of it stays."""
 

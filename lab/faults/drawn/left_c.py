@@ -6,7 +6,7 @@ Each SUITE (test_leaf, hard_named, test_leaf.sanitized) tries the faults that ar
 docs/results/data, those whose name begins with FILE, of cmodel/, if it is given. `again`: each that
 was killed is tried once more in the suite that noticed it, after a change of the model or of tests.
 A fault whose line the source has no more keeps what is known of it, with `again` it is no longer
-counted. The tables of docs/results/mutants.md are made anew. JOBS are tried at once."""
+counted. The tables of docs/results/verification.md are made anew. JOBS are tried at once."""
 import json
 import os
 import re
@@ -64,7 +64,7 @@ def main(build, *suites):
     trial = model.Trial(build, COMPILER, survey=False)
     known = equivalent.model()
     found = {row[0]: ["left", "-"] if row[0] in known else row[1:]
-             for row in data.read("mutants.model_faults")[1]}
+             for row in data.read("verification.model_faults")[1]}
     where = {model.name_of(*p): p for p in model.places()}
     with ThreadPoolExecutor(int(os.environ.get("JOBS", "1"))) as pool:
         if suites == ("again",):

@@ -26,15 +26,15 @@ from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
 
 from ... import intact
+from ...benches import Broken
 from ...jobs import store
 from ...pages import data, place
 from .. import programs
-from ..benches import Broken
 from . import equivalent
 
 FOLDERS = ("core", "engine", "fast", "machine", "math", "pixel", "prim", "render", "shade",
            "texture", "trace", "validate")      # of cmodel/
-PAGE = "docs/results/mutants.md"
+PAGE = "docs/results/verification.md"
 EDITS = ((r" \+ ", " - "), (r" - ", " + "), (r" \* ", " + "), (r" << ", " >> "), (r" >> ", " << "),
          (r" < ", " <= "), (r" <= ", " < "), (r" > ", " >= "), (r" >= ", " > "), (r" == ", " != "),
          (r" != ", " == "), (r" && ", " || "), (r" \|\| ", " && "), (r" & ", " | "),
@@ -235,7 +235,7 @@ def main(build, count, seed, minutes, *compiler):
     chosen = drawn(found, int(count), seed)
     trial = Trial(build, list(compiler) or ["gcc", "-std=c11"])
     end, done = time.time() + 60 * int(minutes), {"digest": store.digest(MODEL), "tried": {}}
-    hints = {row[0]: row[2].split()[0] for row in data.read("mutants.model_faults")[1]}
+    hints = {row[0]: row[2].split()[0] for row in data.read("verification.model_faults")[1]}
     if os.path.exists(kept):
         with open(kept, encoding="utf-8") as f:
             before = json.load(f)

@@ -1,4 +1,4 @@
-# page.py - tables of docs/results/mutants.md: the kill rate of modules, what is left and why
+# page.py - tables of docs/results/verification.md: the kill rate of modules, what is left and why
 # SPDX-License-Identifier: Apache-2.0
 import collections
 import re
@@ -9,7 +9,7 @@ from ...pages import data, place
 from . import equivalent
 from .netlist import Fault
 
-PAGE = "docs/results/mutants.md"
+PAGE = "docs/results/verification.md"
 
 
 def text(fault):
@@ -67,7 +67,7 @@ def parse(name):
 
 def known():
     """{fault: [verdict, bench, seconds]} as the page's list has them."""
-    return {parse(row[0]): row[1:] for row in data.read("mutants.faults")[1]}
+    return {parse(row[0]): row[1:] for row in data.read("verification.faults")[1]}
 
 
 def tables(found, rest=False):

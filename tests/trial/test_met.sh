@@ -1,0 +1,67 @@
+#!/bin/sh
+# test_met.sh - `sphaera build` says what no ray of the frame meets, where the scene names it
+# SPDX-License-Identifier: Apache-2.0
+set -u
+. "$(dirname "$0")/../tap.sh"
+cd "$(dirname "$0")/../.." || exit 1
+s=$SPHAERA
+here=tests/scenes/met
+
+# scene; options; what the output must have, a pattern, @ for the scene's file; the core
+while IFS='|' read -r scene options pattern core; do
+    pattern=$(echo "$pattern" | sed "s|@|$here/$scene.nff|g")
+    # shellcheck disable=SC2086  # a list of words on purpose
+    "$s" build $here/$scene.nff $options -o "$TMP/m.sph" >"$TMP/text" 2>&1
+    check "$scene $options: $pattern" grep -q -- "$pattern" "$TMP/text"
+    "$s" info "$TMP/m.sph" >"$TMP/info" 2>&1
+    check "... core $core" grep -q "^core *$core\$" "$TMP/info"
+    left=$(grep 'left out[ :]' "$TMP/text" | grep -vc 'left out nothing')
+    [ "$left" = 0 ] || left=1
+    check "... for one camera: $left" \
+        test "$(grep -c '^camera *this one alone' "$TMP/info")" = "$left"
+done <<'END'
+behind||^left out the sphere @:17: no ray of this frame meets it|lights1
+behind|--effects all|^effect *reflect *2 *@:16 mirrors 26/256, depth 2$|.*+refract+.*
+hidden_mirror||^left out the sphere @:16: no ray of this frame meets it|lights1
+light_below||^effect *lights *1 *1 of .* 2; left out: @:12 lights nothing|shadow+lights1+facets
+light_below|--effects all|^effect *lights *2 *2 of the scene's 2$|shadow+lights2+facets
+light_below|--lights 2|^effect *lights *2 *as asked; 2 of the|shadow+lights2+facets
+mirror_behind||^effect *reflect *off left out: @:15 mirrors 128/256, .*; no ray|lights1
+mirror_behind|--reflect on|^effect *reflect *2 *as asked; not called for: @:15|reflect2+lights1
+mirror_behind|--reflect off|^effect *reflect *off as asked; called for: @:15|lights1
+mirror_behind|--size 4096x2160|^left out nothing: there are too many pixels|reflect2+lights1
+mirror_behind|--traverse first|^left out nothing: what a primary|reflect2+lights1+first
+all_behind||^effect *inside *off left out: .* @:26 and @:27 overlap; no|shadow+lights1+facets
+all_behind||^effect *texture *off left out: .* @:20; no ray|shadow+lights1+facets
+all_behind||^effect *refract *off left out: @:29 transmits 205/256|shadow+lights1+facets
+all_behind||^effect *specular *off left out: @:29 has highlights|shadow+lights1+facets
+all_behind||^effect *sum *off left out: @:29 is shaded by|shadow+lights1+facets
+all_behind||^effect *smooth *off left out: .* @:22; no ray|shadow+lights1+facets
+triangle_behind||^left out the triangle @:15: no ray|lights1
+END
+
+# What makes the grid coarse no longer does, and no longer chooses the profile.
+profile() {
+    "$s" build $here/light_below.nff --effects $1 -o "$TMP/m.sph" 2>/dev/null |
+        sed -n 's/^scene.*profile //p'
+}
+check "a light under the floor: reference with it" test "$(profile all)" = reference
+check "... fine without it" test "$(profile met)" = fine
+
+# Frames: all of them count.
+later() {
+    "$s" build $here/comes_later.nff --frames "$1" $2 -o "$TMP/f.sph" >"$TMP/text" 2>&1 &&
+        "$s" info "$TMP/f-0000.sph" | grep -q "^core *$3\$"
+}
+check "a mirror that comes with frame 2 is not in frames 0 and 1" later 0..1 "" lights1
+check "... says so" grep -q "^left out reflect: $here/comes_later.nff:15 mirrors" "$TMP/text"
+check "... is in frame 0 of 0 to 2" later 0..2 "" reflect2+lights1
+check "... if all is asked for" later 0..1 "--effects all" reflect2+lights1
+
+# Other commands that build keep everything: render draws what it always drew.
+picture() { "$s" render "$@" -o "$TMP/p.png" 2>/dev/null | grep '^picture'; }
+"$s" build $here/all_behind.nff -o "$TMP/m.sph" >"$TMP/text" 2>&1
+check "render of a scene" test "$(picture $here/all_behind.nff)" = "$(picture "$TMP/m.sph")"
+fails 2 "--effects some" "$s" build $here/behind.nff --effects some -o "$TMP/m.sph"
+fails 1 "--effects for a machine" "$s" render "$TMP/m.sph" --effects all -o "$TMP/p.png"
+done_testing
