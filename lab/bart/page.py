@@ -67,12 +67,12 @@ def tests(count, pipes=1):
     """The same for tests of triangles in its leaf units."""
     clocks = definition.value(definition.Definition().rates["FACET_CLOCKS"],
                               core(pipes) | {"W": WIDE})
-    return count["facet_tests"] * clocks / core(pipes)["LEAF_UNITS"]
+    return count["facet_tests"] * clocks / core(pipes)["LEAF_COUNT"]
 
 
 def texels(count, pipes=1):
     """The same for texels in its shading units."""
-    return count.get("texels", 0) * TEXEL / core(pipes)["SHADES"]
+    return count.get("texels", 0) * TEXEL / core(pipes)["SHADE_UNITS"]
 
 
 def least(count, pipes=1):
