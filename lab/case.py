@@ -11,7 +11,8 @@ import sys
 from pathlib import Path
 
 from . import clocks, intact, known, price
-from .effects.scenes import forced, whole
+from .effects.scenes import WHOLE, forced, whole
+from .pages import data
 from .report import frames, html, page, wrong
 from .report.html import number, text
 from .report.run import Run
@@ -85,9 +86,20 @@ def floats(run, build):
 
 
 # ---- own core ----
+def of_pages():
+    """{(profile, core, pipes): cells} of `make effects`: own cores, and whole ones beside them."""
+    found, (head, rows) = known.cells(), data.read("effects.prices")
+    for row in rows:
+        cell = dict(zip(head, (word.strip("`") for word in row)))
+        core = {"all": "all", "everything": WHOLE}.get(cell["core"])
+        if core:
+            found["standard", core, 1] = [cell[what] for what in ("LUT4eq", "MULT18X18D", "DP16KD")]
+    return found
+
+
 def cells(run, build, cores):
     """{core: cells}, of pages, else of Yosys; with CELLS=0 what was not synthesised is missing."""
-    profile, told, found = run.machine["profile"], known.cells(), {}
+    profile, told, found = run.machine["profile"], of_pages(), {}
     sizes = {name: run.key[name] for name in SIZES if run.key.get(name)}
     keys = {core: clocks.key(profile, core, **sizes) for core in cores}
     for core, key in keys.items():

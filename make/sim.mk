@@ -22,6 +22,7 @@ SIM_KEY     := $(MACHINE_KEY) EFFECTS ENGINES PIPES LEAF_UNITS SHADES ROOT_STEP 
                SIZES SIM LATENCY STALL MEMORY CORE_MHZ WINDOW PIXEL WARM WAVES WATCHDOG
 # (call run,GOAL,KEY): the names of its folder and how it speaks are passed besides.
 run = $(call values,$(2) PROFILE SIZE SAMPLES V) BUILD=$B sh sim/run.sh $(1) $(2)
+# In make/core.mk RTL is a folder: what make case was given does not get there.
 # The command that repeats a run, for its report: what was given to make.
 repeated = make sim $(call values,$(filter-out V CSV RTL CELLS,$(CHECK)))
 
@@ -45,7 +46,8 @@ top_run = test $(MEMORY) = ideal || { echo 'MEMORY=$(MEMORY): not with TOP=1' >&
               LAYERS MOVIE) BUILD=$B sh sim/top.sh
 sim: $(TOOL) $(PICTURES) ## SCENE through model and RTL, compared bit for bit; TOP=1: in rt_top
 	$(Q)test $(TOP)$(LAYERS) != 01 || { echo 'LAYERS=1: with TOP=1 alone' >&2; exit 2; }
-	$(Q)export REPEATED=$(call quoted,$(repeated)); $(if $(filter 1,$(TOP)),$(top_run),\
+	$(Q)$(if $(filter 1,$(RTL)),unset RTL MAKEFLAGS; )export REPEATED=$(call quoted,$(repeated)); \
+	    $(if $(filter 1,$(TOP)),$(top_run),\
 	    $(call values,CSV) $(call run,sim,$(SIM_KEY)))
 
 .PHONY: case
