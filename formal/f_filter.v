@@ -23,7 +23,8 @@ module f_filter #(
     wire pass;
     wire signed [15:0] near;
     rt_filter #(.FW(FW)) u_dut (
-        .clk(clk), .in_org_x_i(org_x), .in_org_y_i(org_y), .in_org_z_i(org_z),
+        .clk(clk), .in_valid_i(1'b1),
+        .in_org_x_i(org_x), .in_org_y_i(org_y), .in_org_z_i(org_z),
         .in_least_i(least), .in_p_a_i(p_a), .in_p_b_i(p_b),
         .in_q_x_i(q_x), .in_q_y_i(q_y), .in_q_z_i(q_z), .in_axis_i(axis),
         .in_negative_i(negative), .in_depth_max_i(depth_max),

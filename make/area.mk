@@ -3,7 +3,7 @@
 #
 # usage: make -f make/area.mk report PROFILES=... TARGETS=... EFFECTS=...
 #   PROFILES  draft standard fine reference, or all; each with widths of its own: sim/cores.py
-#   TARGETS   ecp5 xc7 generic, or all
+#   TARGETS   families of synth/target.sh, or all
 #   EFFECTS   what the cores are elaborated with: lists as sim/cores.py takes them
 # KEY is what sim/cores.py says of a core, with -flat behind it if FLAT is 1. $B/synth/KEY/ holds
 # what Yosys printed; it is made again when a source of the core, core.sh or Yosys changes.
@@ -27,7 +27,7 @@ Q        := $(if $(filter 1,$(V)),,@)
 DEF      := cmodel/machine/machine.def
 
 KNOWN_PROFILES := $(shell awk '$$1 == "profile" { print $$2 }' $(DEF))
-KNOWN_TARGETS  := ecp5 xc7 generic
+KNOWN_TARGETS  := $(shell sed -n "s/^targets='\(.*\)'/\1/p" synth/target.sh)
 profiles := $(if $(filter all,$(PROFILES)),$(KNOWN_PROFILES),$(PROFILES))
 targets  := $(if $(filter all,$(TARGETS)),$(KNOWN_TARGETS),$(TARGETS))
 $(foreach p,$(profiles),$(if $(shell sim/cores.py profile '$p'),,$(error synth: \
@@ -46,7 +46,7 @@ KEYS := $(foreach p,$(profiles),$(foreach t,$(targets),$(foreach e,$(EFFECTS), \
 
 # What speed_and_area.md shows: everything on; the standard core for ecp5 with less, and flat.
 FULL := -all-engines1
-PAGE := $(foreach p,$(KNOWN_PROFILES),$(foreach t,$(KNOWN_TARGETS),$p-$t$(FULL))) \
+PAGE := $(foreach p,$(KNOWN_PROFILES),$(foreach t,ecp5 xc7 generic,$p-$t$(FULL))) \
     $(foreach e,none all-shadow all-reflect,standard-ecp5-$e-engines1) \
     standard-ecp5$(FULL)-flat
 
@@ -56,7 +56,8 @@ PAGE := $(foreach p,$(KNOWN_PROFILES),$(foreach t,$(KNOWN_TARGETS),$p-$t$(FULL))
 results: $(KEYS:%=$B/synth/%/stat.json)
 
 include make/stamp.mk
-$B/synth/%/stat.json: synth/core.sh sim/cores.py sim/definition.py $(DEF) $B/tools/yosys
+$B/synth/%/stat.json: synth/core.sh synth/target.sh sim/cores.py sim/definition.py $(DEF) \
+                      $B/tools/yosys
 	$(Q)sh synth/core.sh $* $(@D)
 
 report: results

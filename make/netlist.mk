@@ -30,6 +30,11 @@ $(NETLIST)/top/rtl/rt_top.v: $(NETTED)
 netlist-cells: $(TOOL) ## cores as cells of ECP5 and series 7 draw frames: 10 processor minutes
 	@ALL=1 BUILD=$B JOBS=$(JOBS) sh tests/run.sh tests/top/test_cells.sh
 
+.PHONY: toggles
+toggles: $(TOOL) ## what switches in the cells of a core, of EFFECTS, that draws SCENE; 3 minutes
+	$(Q)python3 -m lab toggles $(TOOL) $B $(call quoted,$(SCENE)) $(call quoted,$(PROFILE)) \
+	    '$(EFFECTS)' $(if $(filter file,$(origin SIZE)),32x18,$(SIZE)) $(ACCEL)
+
 $(NETLIST)/frame.sph: scenes/paper5.nff $(TOOL)
 	@mkdir -p $(@D)
 	$(Q)sed '/^l /d' $< >$(@:.sph=.nff)

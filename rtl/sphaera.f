@@ -3,6 +3,7 @@
 +incdir+rtl/core
 +incdir+rtl/engine
 +incdir+rtl/math
++incdir+rtl/memory
 +incdir+rtl/prim
 +incdir+rtl/top
 +incdir+rtl/trace

@@ -51,21 +51,10 @@ for d in $folders; do include="$include -I$d" library="$library -libdir $d"; don
 
 # Storage and multipliers end a path; what is left is counted cell by cell.
 depth="flatten; opt_clean; delete t:*FF* t:FD* t:LD* t:*RAM* t:DP16KD t:PDPW16KD t:*DPR16X4 \
-    t:MULT18X18D t:DSP48E1 t:SRL* t:\$mem_v2 t:\$mul t:\$_*DFF* t:\$scopeinfo; \
-    tee -q -o $out/depth ltp"
-case $target in
-ecp5) # -nowidelut: a 5-input function then takes as many LUT4 as it needs, not always two
-    map="synth_ecp5 -nowidelut ${flat:+-run begin:} ${flat:--noflatten} -top $top"
-    [ -z "$flat" ] || map="synth_ecp5 -nowidelut -top $top"
-    ;;
-xc7) map="synth_xilinx -family xc7 -noiopad -noclkbuf ${flat:+-flatten} -top $top" ;;
-generic) # simple gates; memories and multipliers stay what they are
-    map="proc; ${flat:+flatten;} opt_expr; opt_clean; opt -nodffe -nosdff; fsm; opt; wreduce;
-        peepopt; opt_clean; share; opt; memory -nomap; opt_clean; opt -fast -full;
-        techmap t:* t:\$mul %d t:\$mem_v2 %d; opt -fast;
-        abc -g simple; opt_clean; tee -q -o $out/multiply dump -m t:\$mul"
-    ;;
-esac
+    t:*MULT* t:DSP48E1 t:SB_MAC16 t:SDP* t:PDP* t:SRL* t:\$mem_v2 t:\$mul t:\$_*DFF* \
+    t:\$scopeinfo; tee -q -o $out/depth ltp"
+. synth/target.sh
+[ "$target" != generic ] || map="$map; tee -q -o $out/multiply dump -m t:\$mul"
 
 mkdir -p "$out"
 . sim/beside.sh
@@ -73,7 +62,8 @@ beside "$out/stat.json"
 printf '  %-4s %s\n' SYN "$key"
 start=$(date +%s)
 # shellcheck disable=SC2086  # lists of words on purpose
-nice yosys -q -l "$out/log" -E "$out/sources" -p "verilog_defaults -add $include -DSYNTHESIS;
+nice yosys -q -l "$out/log" -E "$out/sources" -p "
+    verilog_defaults -add $include -DSYNTHESIS $defines;
     read_verilog rtl/*/$top.v; chparam $set_all $top; hierarchy -check -top $top $library;
     proc; check -assert; tee -q -o $out/rtl.json stat -json;
     $map; check -assert; tee -q -o $new stat -json;

@@ -52,6 +52,9 @@ struct sph_facet_result {
     uint64_t add; /* to the key; u(WD-1) */
 }; /* of a plane beyond the grid: |dir_k|, the room along k, its rank (docs/design/primitives.md) */
 
+/* Whether the ray starts on a facet of this one's group. */
+int sph_facet_own(const struct sph_ray *ray, const struct sph_facet_leaf *facet);
+
 /* Valid for every operand in range; dir = 0, a ray in the plane and an origin on it miss. A facet
  * of the group that the ray starts on misses; to a light also one that does not lie ahead of the
  * point which its origin was rounded from. */

@@ -29,7 +29,8 @@ def main(page, folder, *keys):
     everything = [r for r in runs if r["list"] == "all" and not r["flat"]]
     ecp5 = [r for r in everything if r["target"] == "ecp5"]
     standard = [r for r in runs if r["profile"] == "standard" and r["target"] == "ecp5"]
-    tables = {target: report.cores(everything, target) for target in results.COLUMNS}
+    tables = {target: report.cores(everything, target)
+              for target in results.COLUMNS if any(r["target"] == target for r in everything)}
     tables["effects"] = report.cores(standard, "ecp5")
     tables["modules"] = report.modules(next(r for r in ecp5 if r["profile"] == "standard"))
     tables["profiles"] = profiles(ecp5)

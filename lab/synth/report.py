@@ -8,7 +8,14 @@ from . import results
 
 # sizes that have a variable of their own
 VARIABLES = "PIPES", "LEAF_UNITS", "SHADES", "ROOT_STEP", "QUOTIENT_STEP"
+PRODUCTS = "Products are of LUTs: Yosys 0.23 has no multipliers of the family."
+FILES = "The family has no memory in LUTs: slot files are of flip-flops."
 NOTE = {
+    "gowin": PRODUCTS,
+    "ice40": FILES,
+    "nexus": "LUT4, and CCU2 of two LUT4 each.",
+    "gatemate": FILES,
+    "efinix": f"{FILES} {PRODUCTS}",
     "ecp5": "LUT4eq = LUT4 + 2 CCU2C; `LUT4eq + RAM` adds 4 for each TRELLIS_DPR16X4.",
     "xc7": "LUT counts functions of up to 6 inputs; `LUT as RAM` are LUTs that hold memory or shift"
            " registers.",
@@ -62,7 +69,7 @@ def cores(runs, target):
 def modules(run):
     """One line a module, largest own part first."""
     columns = results.columns(run["target"])
-    size = results.SIZE[run["target"]]
+    size = results.SIZE.get(run["target"], "lut")
     whole = max(1, run["core"][size])
     ordered = sorted(run["modules"].items(),
                      key=lambda m: (-m[1]["own"][size], -m[1]["own"]["ff"], m[0]))
@@ -109,4 +116,7 @@ def main(folder, *keys):
     for target in results.COLUMNS:
         if any(r["target"] == target for r in runs):
             print(f"\n{target}\n{cores(runs, target)}")
+    for run in runs:
+        if results.too_much(run):
+            print(f"\n{run['key']} does not fit: {results.too_much(run)}")
     print(f"\nmodules: {folder}/report.md, {folder}/report.json")

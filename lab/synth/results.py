@@ -33,6 +33,43 @@ COLUMNS = {
         ("ramb18", {r"RAMB18E1": 1}, "RAMB18"),
         ("ramb36", {r"RAMB36E1": 1}, "RAMB36"),
     ],
+    "gowin": [
+        ("mult", {r"MULT\d+X\d+": 1}, "MULT"),
+        ("lut", {r"LUT[1-4]": 1}, "LUT"),
+        ("carry", {r"ALU": 1}, "ALU"),
+        ("lutram", {r"RAM16SDP4": 1}, "RAM16SDP4"),
+        ("ff", {r"DFF[A-Z]*": 1}, "FF"),
+        ("bram", {r"SDPX?9B?|SDPB": 1}, "SDPB"),
+    ],
+    "ice40": [
+        ("mult", {r"SB_MAC16": 1}, "SB_MAC16"),
+        ("lut", {r"SB_LUT4": 1}, "SB_LUT4"),
+        ("carry", {r"SB_CARRY": 1}, "SB_CARRY"),
+        ("ff", {r"SB_DFF[A-Z]*": 1}, "FF"),
+        ("bram", {r"SB_RAM40_4K[A-Z]*": 1}, "SB_RAM40_4K"),
+    ],
+    "nexus": [
+        ("mult", {r"MULT(9X9|18X18|18X36|36X36)|MULTADDSUB.*": 1}, "MULT"),
+        ("lut", {r"LUT4": 1}, "LUT4"),
+        ("carry", {r"CCU2": 1}, "CCU2"),
+        ("lutram", {r"DPR16X4": 1}, "DPR16X4"),
+        ("ff", {r"FD1P3[A-Z]+": 1}, "FF"),
+        ("bram", {r"PDPS?C?16K": 1}, "PDP16K"),
+    ],
+    "gatemate": [
+        ("mult", {r"CC_MULT": 1}, "CC_MULT"),
+        ("lut", {r"CC_(LUT[1-4]|L2T[45]|MX[248])": 1}, "LUT, MX"),
+        ("carry", {r"CC_ADDF": 1}, "CC_ADDF"),
+        ("ff", {r"CC_DFF": 1}, "FF"),
+        ("bram", {r"CC_BRAM_20K": 1, r"CC_BRAM_40K": 2}, "BRAM of 20K"),
+    ],
+    "efinix": [
+        ("mult", {r"EFX_MULT": 1}, "EFX_MULT"),
+        ("lut", {r"EFX_LUT4": 1}, "EFX_LUT4"),
+        ("carry", {r"EFX_ADD": 1}, "EFX_ADD"),
+        ("ff", {r"EFX_FF": 1}, "FF"),
+        ("bram", {r"EFX_RAM_5K": 1}, "EFX_RAM_5K"),
+    ],
     "generic": [
         ("gates", {r"\$_(AND|OR|XOR|NOT|MUX|NAND|NOR|XNOR|ANDNOT|ORNOT)_": 1}, "gates"),
         ("ff", {r"\$_[A-Z]*DFF[A-Z]*_.*": 1}, "FF"),
@@ -40,9 +77,19 @@ COLUMNS = {
     ],
 }
 # not from cell counts
-EXTRA = {"ecp5": [("bits", "RAM bits")], "xc7": [("bits", "RAM bits")],
-         "generic": [("pp_bits", "product bits"), ("bits", "RAM bits")]}
-SIZE = {"ecp5": "lut4eq", "xc7": "lut", "generic": "gates"}
+EXTRA = {target: [("pp_bits", "product bits")] * (target == "generic") + [("bits", "RAM bits")]
+         for target in COLUMNS}
+SIZE = {"ecp5": "lut4eq", "generic": "gates"}  # else lut
+# the largest part of a family in which a core may not fit: its name, {column: how many}
+LARGEST = {"ice40": ("iCE40UP5K", {"mult": 8, "lut": 5280, "ff": 5280, "bram": 30})}
+
+
+def too_much(run):
+    """What of the largest part of its family a core exceeds, in words; empty: nothing."""
+    name, has = LARGEST.get(run["target"], ("", {}))
+    heads = {column: head for column, _, head in COLUMNS[run["target"]]}
+    return "; ".join(f"{name} has {most} {heads[column]}, not {run['core'][column]}"
+                     for column, most in has.items() if run["core"][column] > most)
 
 
 def key(profile, cores, target="ecp5", engines="1", root="2", quotient="2"):
@@ -53,11 +100,12 @@ def key(profile, cores, target="ecp5", engines="1", root="2", quotient="2"):
     return ran.stdout.strip() if ran.returncode == 0 else sys.exit(1)
 
 
-def synthesise(build, lists):
-    """Cores of profile standard for ecp5, as make/area.mk keeps them."""
+def synthesise(build, lists, **variables):
+    """Cores for ecp5, as make/area.mk keeps them; variables of it: PROFILES, PIPES..."""
     done = subprocess.run(
         ["make", "--no-print-directory", f"-j{tasks.jobs()}", "-f", "make/area.mk", "results",
-         f"B={build}", f"V={os.environ.get('V') or 0}", f"EFFECTS={' '.join(lists)}"],
+         f"B={build}", f"V={os.environ.get('V') or 0}", f"EFFECTS={' '.join(lists)}",
+         *(f"{name}={value}" for name, value in variables.items())],
         env=tasks.clean(), check=False)
     if done.returncode:
         sys.exit(done.returncode)

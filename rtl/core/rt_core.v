@@ -21,6 +21,7 @@ module rt_core #(
     input  wire              start_i,          // one cycle: clear counters, render the window
     input  wire              keep_cache_i,     // with start_i: memory did not change, caches stay
     output wire              busy_o,           // until the last pixel has left and counters stand
+    output wire              active_o,         // 0: clk may stand still in this cycle
     // memory: 256-bit lines, asked for by number; beats of MEM_DATA, low bits first; lines of a tag
     // in order, several tags in any, their beats too
     output wire              mem_req_valid_o,
@@ -188,14 +189,24 @@ module rt_core #(
     reg              mux_valid_q;                    // a pixel is at the port
     wire             mux_ready = !mux_valid_q || pix_ready_i;
     wire             working = walk_busy || e_busy != 0 || mux_valid_q;
-    localparam SB = $clog2(PLACES + 5);
-    localparam [31:0] WAIT = PLACES + 4;
+    localparam SB = $clog2(PLACES + 6);
+    localparam [31:0] WAIT = PLACES + 5;
     reg [SB-1:0]     settle_q;                       // cycles until the counters are complete
     assign busy_o = working || settle_q != {SB{1'b0}} || start_q || start_two_q;
     always @(posedge clk) begin
         if (working || go) settle_q <= WAIT[SB-1:0];
         else if (settle_q != {SB{1'b0}}) settle_q <= settle_q - 1'b1;
         if (rst) settle_q <= {SB{1'b0}};
+    end
+
+    // ---- what an idle core still looks at ----
+    reg              busy_q;                         // so that a counter is shown as it stands
+    reg [4:0]        count_addr_q;
+    assign active_o = rst || busy_o || busy_q || start_i || cfg_valid_i || cfg_valid_q ||
+                      count_addr_i != count_addr_q;
+    always @(posedge clk) begin
+        busy_q       <= busy_o;
+        count_addr_q <= count_addr_i;
     end
 
     // ---- engines ----

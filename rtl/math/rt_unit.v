@@ -4,6 +4,7 @@
 // u = round((v << h) * y / 2^BITS); v = 0 gives 0. Three multipliers serve v.v in even clocks and
 // (v << h) * y in odd ones: in_ready_o is high in every second clock. L = `RT_MUL_LATENCY(BITS+1):
 //   1 operands | L products | 2 sum | 2 shift | 2 table | 2 slope | 1 y | 1 operands | L | 1 round
+// What has no vector keeps its operands, so that nothing behind them switches.
 // Free-running, latency 2*L + 12: 14 for BITS <= 17, else 18. Model: sph_unit() in math/rsqrt.c
 `timescale 1ns / 1ps
 `default_nettype none
@@ -53,11 +54,13 @@ module rt_unit #(
     reg                 phase_q;                    // 0 in even clocks, seen from clock 0
     reg [T_OUT-1:0]     valid_q;                    // bit i: clock i+1
     reg [N_TAG*TAG-1:0] tag_q;
+    wire                take = in_valid_i && !phase_q;
     assign in_ready_o = !phase_q;
     always @(posedge clk) begin
         phase_q <= !phase_q;
-        valid_q <= {valid_q[T_OUT-2:0], in_valid_i && in_ready_o};
-        if (!phase_q) tag_q <= {tag_q[(N_TAG-1)*TAG-1:0], in_tag_i};
+        valid_q <= {valid_q[T_OUT-2:0], take};
+        if (!phase_q) tag_q[N_TAG*TAG-1:TAG] <= tag_q[(N_TAG-1)*TAG-1:0];
+        if (take) tag_q[TAG-1:0] <= in_tag_i;
         if (rst) begin
             phase_q <= ODD != 0;
             valid_q <= {T_OUT{1'b0}};
@@ -72,13 +75,14 @@ module rt_unit #(
     reg  signed [BITS:0]   back_x_q, back_y_q, back_z_q;     // s(BITS+1), v << h in clock T_Y
     reg  [16:0]            y_q;                              // u1.16, in clock T_Y
     wire signed [OW-1:0]   y = {{(OW-17){1'b0}}, y_q};
-    always @(posedge clk) begin
-        a_x_q <= phase_q ? {{(OW-BITS-1){back_x_q[BITS]}}, back_x_q} : in_x;
-        a_y_q <= phase_q ? {{(OW-BITS-1){back_y_q[BITS]}}, back_y_q} : in_y;
-        a_z_q <= phase_q ? {{(OW-BITS-1){back_z_q[BITS]}}, back_z_q} : in_z;
-        b_x_q <= phase_q ? y : in_x;
-        b_y_q <= phase_q ? y : in_y;
-        b_z_q <= phase_q ? y : in_z;
+    wire                   back = valid_q[T_Y-1];            // in odd clocks alone
+    always @(posedge clk) if (take || back) begin
+        a_x_q <= back ? {{(OW-BITS-1){back_x_q[BITS]}}, back_x_q} : in_x;
+        a_y_q <= back ? {{(OW-BITS-1){back_y_q[BITS]}}, back_y_q} : in_y;
+        a_z_q <= back ? {{(OW-BITS-1){back_z_q[BITS]}}, back_z_q} : in_z;
+        b_x_q <= back ? y : in_x;
+        b_y_q <= back ? y : in_y;
+        b_z_q <= back ? y : in_z;
     end
 
     // ---- products ----
@@ -91,8 +95,10 @@ module rt_unit #(
     reg [VW-1:0]      xy_q, zz_q, vv_q;
     reg [N_VV*VW-1:0] vv_wait_q;
     always @(posedge clk) begin
-        xy_q <= p_x[VW-1:0] + p_y[VW-1:0];
-        zz_q <= p_z[VW-1:0];
+        if (valid_q[L]) begin
+            xy_q <= p_x[VW-1:0] + p_y[VW-1:0];
+            zz_q <= p_z[VW-1:0];
+        end
         vv_q <= xy_q + zz_q;
         if (!phase_q) vv_wait_q <= {vv_wait_q[(N_VV-1)*VW-1:0], vv_q};
     end
@@ -131,9 +137,10 @@ module rt_unit #(
                                          v_wait_q[N_V*3*BITS-BITS-1 -: BITS]});
     wire signed [BITS:0]  v_z = $signed({v_wait_q[N_V*3*BITS-2*BITS-1],
                                          v_wait_q[N_V*3*BITS-2*BITS-1 -: BITS]});
-    always @(posedge clk)
+    always @(posedge clk) begin
+        if (take) v_wait_q[3*BITS-1:0] <= {in_x_i, in_y_i, in_z_i};
         if (!phase_q) begin
-            v_wait_q <= {v_wait_q[(N_V-1)*3*BITS-1:0], in_x_i, in_y_i, in_z_i};
+            v_wait_q[N_V*3*BITS-1:3*BITS] <= v_wait_q[(N_V-1)*3*BITS-1:0];
             s_x_q    <= v_x <<< h_wait_q[4:0];               // |v << h| < 2^BITS
             s_y_q    <= v_y <<< h_wait_q[4:0];
             s_z_q    <= v_z <<< h_wait_q[4:0];
@@ -141,6 +148,7 @@ module rt_unit #(
             back_y_q <= s_y_q;
             back_z_q <= s_z_q;
         end
+    end
 
     // ---- table, slope, y = start - floor(slope * frac / 1024) in clock T_Y ----
     // Block RAM and multiplier are slow, and lie where they lie: a clock for each, and for the way.
@@ -168,7 +176,7 @@ module rt_unit #(
     wire signed [2*OW-1-BITS:0] r_y = `RT_ROUND(p_y, 2*OW-1, BITS);
     wire signed [2*OW-1-BITS:0] r_z = `RT_ROUND(p_z, 2*OW-1, BITS);
     reg  signed [17:0] u_x_q, u_y_q, u_z_q;                  // s1.16
-    always @(posedge clk) begin
+    always @(posedge clk) if (valid_q[T_OUT-2]) begin
         u_x_q <= r_x[17:0];
         u_y_q <= r_y[17:0];
         u_z_q <= r_z[17:0];
@@ -184,8 +192,7 @@ module rt_unit #(
 
     // for benches: {turned away, taken, clocks of work}
     wire [7:0] work_unit_vectors /* verilator public_flat_rd */ =
-        {in_valid_i && !in_ready_o, in_valid_i && in_ready_o, 4'd0,
-         in_valid_i && in_ready_o, 1'b0};
+        {in_valid_i && !in_ready_o, take, 4'd0, take, 1'b0};
     wire unused = &{1'b0, p_x, p_y, p_z, r_x, r_y, r_z, n_16, n_2[11:0], slope_two_q[9:0]};
 endmodule
 `default_nettype wire

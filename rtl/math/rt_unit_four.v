@@ -5,6 +5,7 @@
 //            0          1          2          3
 //   x y z    l*l        l*2h       h*h        h(v<<h)*y, of an earlier vector
 //   fourth   l(x)*y     l(y)*y     l(z)*y     slope*frac, of one between
+// What has no vector keeps its operands, so that nothing behind them switches.
 // Free-running, latency 23. Model: sph_unit() in math/rsqrt.c
 `timescale 1ns / 1ps
 `default_nettype none
@@ -44,13 +45,15 @@ module rt_unit_four #(
     reg [STAGES-1:0]     valid_q;
     reg [STAGES*TAG-1:0] tag_q;
     wire                 last = phase_q == 2'd3;
+    wire                 take = last && in_valid_i;
     assign in_ready_o = last;
     always @(posedge clk) begin
         phase_q <= phase_q + 2'd1;
         if (last) begin
             valid_q <= {valid_q[STAGES-2:0], in_valid_i};
-            tag_q   <= {tag_q[(STAGES-1)*TAG-1:0], in_tag_i};
+            tag_q[STAGES*TAG-1:TAG] <= tag_q[(STAGES-1)*TAG-1:0];
         end
+        if (take) tag_q[TAG-1:0] <= in_tag_i;
         if (rst) begin
             phase_q <= ODD != 0 ? 2'd1 : 2'd3;
             valid_q <= {STAGES{1'b0}};
@@ -68,13 +71,16 @@ module rt_unit_four #(
     reg  [16:0]          low_q;               // l of v << h: x, y, z in phases 0, 1, 2 of stage 4
     wire signed [BITS:0] turn_s = {turn[BITS-1], turn};
     always @(posedge clk) begin
+        if (take) v0_q <= {in_z_i, in_y_i, in_x_i};
         if (last) begin
-            {v2_q, v1_q, v0_q} <= {v1_q, v0_q, in_z_i, in_y_i, in_x_i};
+            {v2_q, v1_q} <= {v1_q, v0_q};
             z_q <= v2_q[2*BITS +: BITS];
         end
-        shift_q <= turn_s <<< h_q;
-        if (phase_q != 2'd2) {s_x_q, s_y_q, s_z_q} <= {s_y_q, s_z_q, shift_q};
-        low_q <= s_x_q[16:0];                 // y and z move to x while the next vector comes
+        if (phase_q != 2'd1 && |valid_q[3:2]) shift_q <= turn_s <<< h_q;
+        if (phase_q != 2'd2 && |valid_q[4:2]) begin
+            {s_x_q, s_y_q, s_z_q} <= {s_y_q, s_z_q, shift_q};
+            low_q <= s_x_q[16:0];             // y and z move to x while the next vector comes
+        end
     end
 
     // ---- operands and products of x, y, z; those of squares are added ----
@@ -91,9 +97,11 @@ module rt_unit_four #(
             reg  signed [17:0]   a_q, b_q;
             reg  signed [35:0]   p_q;
             always @(posedge clk) begin
-                a_q <= last ? $signed(back[34:17]) : phase_q[1] ? v_h : v_l;
-                b_q <= last ? $signed({1'b0, y_q}) : phase_q[1] ? v_h
-                       : phase_q[0] ? v_h <<< 1 : v_l;
+                if (last ? valid_q[3] : valid_q[0]) begin
+                    a_q <= last ? $signed(back[34:17]) : phase_q[1] ? v_h : v_l;
+                    b_q <= last ? $signed({1'b0, y_q}) : phase_q[1] ? v_h
+                           : phase_q[0] ? v_h <<< 1 : v_l;
+                end
                 p_q <= a_q * b_q;
             end
             assign p[g] = p_q;
@@ -109,11 +117,14 @@ module rt_unit_four #(
     wire [73:0]        acc = {acc_q, acc_low_q};             // v.v in phase 3 of stage 1
     reg  [VW-1:0]      vv2_q, vv3_q, vv4_q, vv5_q;           // in stages 2 to 5
     always @(posedge clk) begin
-        xy_q  <= p[0] + p[1];
-        zz_q  <= p[2];
+        if (phase_q != 2'd1) begin            // then it is h*y
+            xy_q <= p[0] + p[1];
+            zz_q <= p[2];
+        end
         sum_q <= xy_q + $signed({zz_q[35], zz_q});
-        acc_q <= last ? 40'sd0 : acc_old + $signed({{2{sum_q[37]}}, sum_q});
-        if (^phase_q) acc_low_q <= {acc_q[16:0], acc_low_q[33:17]};
+        if (last ? valid_q[0] : valid_q[1])
+            acc_q <= last ? 40'sd0 : acc_old + $signed({{2{sum_q[37]}}, sum_q});
+        if (^phase_q && valid_q[1]) acc_low_q <= {acc_q[16:0], acc_low_q[33:17]};
         if (last) {vv5_q, vv4_q, vv3_q, vv2_q} <= {vv4_q, vv3_q, vv2_q, acc[VW-1:0]};
     end
 
@@ -149,10 +160,12 @@ module rt_unit_four #(
     reg  signed [35:0] p_q;                   // slope * frac in phase 1; l*y of x, y, z in 2, 3, 0
     rt_rsqrt_rom u_rom (.clk(clk), .index_i(x_q[17:10]), .line_q(line));
     always @(posedge clk) begin
-        a_q <= last ? $signed({7'd0, line[27:17]}) : $signed({1'b0, low_q});
-        b_q <= last ? $signed({8'd0, x_q[9:0]}) : $signed({1'b0, y4_q});
+        if (last ? valid_q[2] : valid_q[4]) begin
+            a_q <= last ? $signed({7'd0, line[27:17]}) : $signed({1'b0, low_q});
+            b_q <= last ? $signed({8'd0, x_q[9:0]}) : $signed({1'b0, y4_q});
+        end
         p_q <= a_q * b_q;
-        if (phase_q == 2'd1) y_q <= line[16:0] - {6'd0, p_q[20:10]};
+        if (phase_q == 2'd1 && valid_q[3]) y_q <= line[16:0] - {6'd0, p_q[20:10]};
         if (last) {y5_q, y4_q} <= {y4_q, y_q};
     end
 
@@ -162,10 +175,10 @@ module rt_unit_four #(
     wire signed [35-LOW:0] u = `RT_ROUND(r_q, 35, LOW);
     reg  [53:0]        u_q;                                  // {z, y, x} s1.16 in phase 2
     always @(posedge clk) begin
-        if (phase_q == 2'd1) {h_x_q, h_y_q, h_z_q} <= {p[0], p[1], p[2]};
-        else {h_x_q, h_y_q} <= {h_y_q, h_z_q};
-        r_q <= h_x_q + $signed({17'd0, p_q[35:17]});
-        if (phase_q != 2'd2) u_q <= {u[17:0], u_q[53:18]};
+        if (phase_q != 2'd1) {h_x_q, h_y_q} <= {h_y_q, h_z_q};
+        else if (valid_q[4]) {h_x_q, h_y_q, h_z_q} <= {p[0], p[1], p[2]};
+        if (phase_q[1] ? valid_q[4] : valid_q[5]) r_q <= h_x_q + $signed({17'd0, p_q[35:17]});
+        if (last ? valid_q[4] : valid_q[5] && phase_q != 2'd2) u_q <= {u[17:0], u_q[53:18]};
     end
     assign out_valid_o = valid_q[STAGES-1] && phase_q == 2'd2;
     assign out_tag_o   = tag_q[STAGES*TAG-1 -: TAG];
@@ -178,8 +191,7 @@ module rt_unit_four #(
 
     // for benches: {turned away, taken, clocks of work}
     wire [7:0] work_unit_vectors /* verilator public_flat_rd */ =
-        {in_valid_i && !in_ready_o, in_valid_i && in_ready_o, 3'd0,
-         in_valid_i && in_ready_o, 2'd0};
+        {in_valid_i && !in_ready_o, take, 3'd0, take, 2'd0};
     wire unused = &{1'b0, acc, n_16, n_2[11:0], u, p_q};
 endmodule
 `default_nettype wire

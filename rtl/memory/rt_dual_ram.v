@@ -5,6 +5,7 @@
 // Contents are not reset: write a word before its value matters.
 `timescale 1ns / 1ps
 `default_nettype none
+`include "rt_memory.vh"
 module rt_dual_ram #(
     parameter WIDTH = 32,                 // bits of a word
     parameter SLOTS = 16,                 // words, at least 2
@@ -21,7 +22,7 @@ module rt_dual_ram #(
     input  wire [AB-1:0]    rd_addr_i,
     output reg  [WIDTH-1:0] rd_data_o     // word read last
 );
-    (* ram_style = "block" *) reg [WIDTH-1:0] mem [0:SLOTS-1];
+    `RT_BLOCK_RAM_FREE reg [WIDTH-1:0] mem [0:SLOTS-1];
     always @(posedge wr_clk) if (wr_en_i) mem[wr_addr_i] <= wr_data_i;
     always @(posedge rd_clk) if (rd_en_i) rd_data_o <= mem[rd_addr_i];
 endmodule

@@ -5,6 +5,7 @@
 // Contents are not reset: write a word before its value matters.
 `timescale 1ns / 1ps
 `default_nettype none
+`include "rt_memory.vh"
 module rt_slot_file #(
     parameter WIDTH = 8,                  // bits of a word
     parameter SLOTS = 16,                 // words, at least 2
@@ -17,7 +18,7 @@ module rt_slot_file #(
     input  wire [AB-1:0]    rd_addr_i,
     output wire [WIDTH-1:0] rd_data_o     // word at rd_addr_i now
 );
-    (* ram_style = "distributed" *) reg [WIDTH-1:0] mem [0:SLOTS-1];
+    `RT_LUT_RAM reg [WIDTH-1:0] mem [0:SLOTS-1];
     assign rd_data_o = mem[rd_addr_i];
     always @(posedge clk) if (wr_en_i) mem[wr_addr_i] <= wr_data_i;
 endmodule

@@ -8,6 +8,7 @@
 // Contents are not reset: write a word before its value matters.
 `timescale 1ns / 1ps
 `default_nettype none
+`include "rt_memory.vh"
 module rt_slot_ram #(
     parameter WIDTH = 32,                 // bits of a word
     parameter SLOTS = 16,                 // words, at least 2
@@ -28,16 +29,20 @@ module rt_slot_ram #(
     localparam LOW   = CELLS <= LUTS ? LEFT : 0;  // bits in LUTs, the low ones
     wire collision = wr_en_i && rd_en_i && wr_addr_i == rd_addr_i;
     generate
-        if (LOW < WIDTH) begin : g_block
-            (* ram_style = "block" *) reg [WIDTH-1:LOW] mem [0:SLOTS-1];
+        if (LOW < WIDTH && OLD != 0) begin : g_old
+            `RT_BLOCK_RAM reg [WIDTH-1:LOW] mem [0:SLOTS-1];
             reg [WIDTH-1:LOW] word_q;
             always @(posedge clk) begin
                 if (wr_en_i) mem[wr_addr_i] <= wr_data_i[WIDTH-1:LOW];
-                if (rd_en_i) begin
-                    word_q <= mem[rd_addr_i];
-                    // never happens; lets synthesis drop the bypass
-                    if (OLD == 0 && collision) word_q <= {(WIDTH-LOW){1'bx}};
-                end
+                if (rd_en_i) word_q <= mem[rd_addr_i];
+            end
+            assign rd_data_o[WIDTH-1:LOW] = word_q;
+        end else if (LOW < WIDTH) begin : g_free
+            `RT_BLOCK_RAM_FREE reg [WIDTH-1:LOW] mem [0:SLOTS-1];
+            reg [WIDTH-1:LOW] word_q;
+            always @(posedge clk) begin
+                if (wr_en_i) mem[wr_addr_i] <= wr_data_i[WIDTH-1:LOW];
+                if (rd_en_i) word_q <= mem[rd_addr_i];
             end
             assign rd_data_o[WIDTH-1:LOW] = word_q;
         end

@@ -5,17 +5,20 @@
 // d_i must come from a flip-flop. No reset: q_o is what d_i was.
 `timescale 1ns / 1ps
 `default_nettype none
+`include "rt_memory.vh"
 module rt_sync #(
     parameter WIDTH = 1                   // bits
 ) (
     input  wire             clk,
     input  wire [WIDTH-1:0] d_i,          // of another clock
-    output reg  [WIDTH-1:0] q_o
+    output wire [WIDTH-1:0] q_o
 );
-    (* async_reg = "true" *) reg [WIDTH-1:0] meta_q;
+    `RT_SYNC_FLOPS reg [WIDTH-1:0] meta_q;
+    `RT_SYNC_FLOPS reg [WIDTH-1:0] settled_q;
     always @(posedge clk) begin
-        meta_q <= d_i;
-        q_o    <= meta_q;
+        meta_q    <= d_i;
+        settled_q <= meta_q;
     end
+    assign q_o = settled_q;
 endmodule
 `default_nettype wire

@@ -49,11 +49,12 @@ module rt_facet_sums #(
     // ---- stage 1: operands, for INTERVAL clocks; phase: clocks since the facet was taken ----
     reg  [3*NW-1:0] a0_q, e1_q, e2_q, dir_q;      // 3 x sNW
     reg  [72:0]     given_q;                      // plane, its normal
+    localparam [31:0] LAST = INTERVAL - 1;        // then it stands still, and the operands with it
     reg  [1:0]      phase_q;
     reg  [VECTOR+2:1] at_q;                       // bit s: taken s clocks ago
     always @(posedge clk) begin
         at_q <= {at_q[VECTOR+1:1], take_i};
-        phase_q <= take_i ? 2'd0 : phase_q + 2'd1;
+        phase_q <= take_i ? 2'd0 : phase_q == LAST[1:0] ? phase_q : phase_q + 2'd1;
         if (take_i) given_q <= {plane_i, v1_i};
     end
     genvar i, j, k;

@@ -91,16 +91,16 @@ module rt_leaf_two #(
                          + {e_z[VW-1:0] ^ {VW{z_sub}}, z_sub};
     wire [VW:0]   xy_sum = {z_q, 1'b1} + {xy_q ^ {VW{xy_sub}}, xy_sub};
     always @(posedge clk) begin
-        xy_q  <= e_x[VW-1:0] + e_y[VW-1:0];
-        z_q   <= z_sum[VW:1];
-        val_q <= xy_sum[VW:1];
+        xy_q <= e_x[VW-1:0] + e_y[VW-1:0];
+        z_q  <= z_sum[VW:1];
+        if (|valid_i[T_B:T_B-1]) val_q <= xy_sum[VW:1];
     end
 
     // ---- wide operands: (b, b) in clock T_B+1, (k, a) in clock T_B+2 ----
     reg  signed [NW-1:0]   wide_a_q, wide_b_q;
     wire signed [2*NW-1:0] p_wide;
     wire signed [NW-1:0]   val = {{(NW-VW+1){val_q[VW-1]}}, val_q[VW-2:0]};
-    always @(posedge clk) begin
+    always @(posedge clk) if (|valid_i[T_B+1:T_B]) begin // else nothing switches behind them
         wide_a_q <= val;
         wide_b_q <= valid_i[T_B+1] ? $signed({{(NW-2*WD){1'b0}}, a_i}) : val;
     end

@@ -57,7 +57,7 @@ module rt_lambert #(
     reg  signed [36:0] s2_dot_q;              // s4.32
     wire signed [36:0] s2_xz = $signed({s1_xz_q[35], s1_xz_q});
     wire signed [36:0] s2_y  = $signed({s1_y_q[35], s1_y_q});
-    always @(posedge clk) s2_dot_q <= s2_xz + (ph_q[2] ? s2_y : s2_dot_q);
+    always @(posedge clk) if (|ph_q[3:2]) s2_dot_q <= s2_xz + (ph_q[2] ? s2_y : s2_dot_q);
 
     // ---- stage 3, cycle 4: round half up, limit ----
     reg  [TAG-1:0]     s1_tag_q, s2_tag_q;

@@ -247,7 +247,7 @@ module rt_lights #(
         {vec_valid_o, go_q} <= {go_q, a_valid && !a_last};
         if (a_valid) vec_slot_q <= a_slot;
         if (go_q[3]) vec_slot_o <= vec_slot_q;
-        turn_q      <= turn + 2'd1;
+        if (turn != 2'd3) turn_q <= turn + 2'd1;  // stands still behind z
         sum_valid_o <= a_valid && a_last;
         sum_slot_o  <= a_slot;
         sum_o       <= a_sum;

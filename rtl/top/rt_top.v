@@ -221,13 +221,15 @@ module rt_top #(
     wire [W+WD+1:0] pix_key;
     wire [`RT_VISITS_BITS-1:0] pix_visits;
     wire [31:0] pix_texture;
-    wire        unused_pix = &{1'b0, pix_id, pix_key, pix_visits, pix_texture};
+    wire        core_active;
+    wire        unused_core = &{1'b0, core_active, pix_id, pix_key, pix_visits, pix_texture};
     rt_core #(
         `include "rt_core_pass.vh"
     ) u_core (
         .clk(clk), .rst(core_rst), .cfg_valid_i(cfg_valid), .cfg_addr_i(cfg_addr),
         .cfg_data_i(cfg_data), .start_i(core_start), .keep_cache_i(core_keep),
-        .busy_o(core_busy), .mem_req_valid_o(req_valid), .mem_req_ready_i(req_ready),
+        .busy_o(core_busy), .active_o(core_active),
+        .mem_req_valid_o(req_valid), .mem_req_ready_i(req_ready),
         .mem_req_line_o(req_line), .mem_req_tag_o(req_tag), .mem_rsp_valid_i(rsp_valid),
         .mem_rsp_ready_o(rsp_ready), .mem_rsp_tag_i(rsp_tag), .mem_rsp_data_i(rsp_data),
         .mem_rsp_error_i(rsp_error), .pix_valid_o(pix_valid), .pix_ready_i(pix_ready),

@@ -4,7 +4,8 @@
 //   p = r * (u_b, -u_a)    q = (u_m * p_b, u_m * p_a, -u_a * p_b - u_b * p_a)
 // Four multipliers with two products each, stages of two clocks (phase 0, 1):
 //   u_m | u_m^2 | table | slope | r | u_b*r, u_a*r | p | u_m*p, u*p | q
-// A ray every second clock at most. Latency 14 or 15.
+// A ray every second clock at most. What has no ray keeps its operands, so that nothing behind them
+// switches. Latency 14 or 15.
 // Model: sph_across() in cmodel/trace/across.c
 `timescale 1ns / 1ps
 `default_nettype none
@@ -76,11 +77,13 @@ module rt_across #(
     wire [16:0] r = start_q - {6'd0, m1_p_q[20:10]};
     rt_rsqrt_rom u_rom (.clk(clk), .index_i({1'b1, x[16:10]}), .line_q(line));
     always @(posedge clk) begin
-        frac_q <= x[9:0];
-        m1_a_q <= phase_q ? {5'd0, line[27:17]} : mag1_q;
-        m1_b_q <= phase_q ? {6'd0, frac_q} : mag1_q;
+        if (!phase_q) frac_q <= x[9:0];
+        if (phase_q ? valid_q[2] : valid_q[1]) begin
+            m1_a_q <= phase_q ? {5'd0, line[27:17]} : mag1_q;
+            m1_b_q <= phase_q ? {6'd0, frac_q} : mag1_q;
+        end
         m1_p_q <= m1_a_q * m1_b_q;
-        if (phase_q) start_q <= line[16:0] - 17'd`RT_ACROSS_SHORT;
+        if (phase_q && valid_q[2]) start_q <= line[16:0] - 17'd`RT_ACROSS_SHORT;
     end
 
     // ---- stage 4: r with u_b, then with u_a ----
@@ -88,8 +91,9 @@ module rt_across #(
     reg  signed [35:0] m2_p_q;                       // s3.32; u_b*r in phase 1, u_a*r a clock later
     wire signed [20:0] p = `RT_ROUND(m2_p_q, 35, 15);  // s0.17, |p| < 1
     always @(posedge clk) begin
-        m2_a_q <= phase_q ? $signed(u3_q[35:18]) : $signed(u4_q[17:0]);
-        if (phase_q) m2_b_q <= {1'b0, r};
+        if (phase_q ? valid_q[3] : valid_q[4])
+            m2_a_q <= phase_q ? $signed(u3_q[35:18]) : $signed(u4_q[17:0]);
+        if (phase_q && valid_q[3]) m2_b_q <= {1'b0, r};
         m2_p_q <= m2_a_q * m2_b_q;
     end
 
@@ -103,9 +107,11 @@ module rt_across #(
     wire signed [19:0] q_m = `RT_ROUND(sum_q, 35, 16);
     reg  [17:0]        q_a_q, q_b_q;
     always @(posedge clk) begin
-        m3_a_q <= phase_q ? $signed(u4_q[53:36]) : $signed(u5_q[53:36]);
-        m4_a_q <= phase_q ? $signed(u4_q[35:18]) : $signed(u5_q[17:0]);
-        m_b_q  <= p[17:0];
+        if (phase_q ? valid_q[4] : valid_q[5]) begin
+            m3_a_q <= phase_q ? $signed(u4_q[53:36]) : $signed(u5_q[53:36]);
+            m4_a_q <= phase_q ? $signed(u4_q[35:18]) : $signed(u5_q[17:0]);
+            m_b_q  <= p[17:0];
+        end
         m3_p_q <= m3_a_q * m_b_q;
         m4_p_q <= m4_a_q * m_b_q;
         if (!phase_q) p_a_q <= m_b_q;
@@ -121,13 +127,15 @@ module rt_across #(
     always @(posedge clk) begin
         if (phase_q) p_a_wait_q <= p_a_q;
         out_valid_o <= phase_q && valid_q[6];
-        out_tag_o   <= tags_q[STAGES*TAG-1 -: TAG];
-        out_least_o <= least6_q;
-        out_p_a_o   <= p_a_wait_q;
-        out_p_b_o   <= p_b_q;
-        out_q_o[17:0]  <= least6_q == 2'd0 ? q_m[17:0] : q_a_q;
-        out_q_o[35:18] <= least6_q == 2'd1 ? q_m[17:0] : least6_q == 2'd0 ? q_a_q : q_b_q;
-        out_q_o[53:36] <= least6_q == 2'd2 ? q_m[17:0] : q_b_q;
+        if (phase_q && valid_q[6]) begin
+            out_tag_o   <= tags_q[STAGES*TAG-1 -: TAG];
+            out_least_o <= least6_q;
+            out_p_a_o   <= p_a_wait_q;
+            out_p_b_o   <= p_b_q;
+            out_q_o[17:0]  <= least6_q == 2'd0 ? q_m[17:0] : q_a_q;
+            out_q_o[35:18] <= least6_q == 2'd1 ? q_m[17:0] : least6_q == 2'd0 ? q_a_q : q_b_q;
+            out_q_o[53:36] <= least6_q == 2'd2 ? q_m[17:0] : q_b_q;
+        end
         if (rst) out_valid_o <= 1'b0;
     end
 

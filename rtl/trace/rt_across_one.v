@@ -3,7 +3,8 @@
 // The numbers of rt_across, with eight multipliers:
 //   1 u_m | 2 u_m^2 | 3 and 4 table | 5 slope | 6 r | 7 u_b*r, u_a*r | 8 p | 9 u_m*p, u*p |
 //   10 q_a, q_b, sum | 11 q_m
-// Latency 11, a ray a clock. Model: sph_across() in cmodel/trace/across.c
+// What is not a ray is not taken, so that nothing switches for it. Latency 11, a ray a clock.
+// Model: sph_across() in cmodel/trace/across.c
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
@@ -49,8 +50,10 @@ module rt_across_one #(
     reg  [16:0] s5_start_q, s6_r_q;       // u1.16
     rt_rsqrt_rom u_rom (.clk(clk), .index_i({1'b1, x[16:10]}), .line_q(s3_line_q));
     always @(posedge clk) begin
-        s1_mag_q <= in_mag_i;
-        s1_u_q   <= {in_least_i, in_u_i};
+        if (in_valid_i) begin
+            s1_mag_q <= in_mag_i;
+            s1_u_q   <= {in_least_i, in_u_i};
+        end
         {s8_u_q, s7_u_q, s6_u_q, s5_u_q, s4_u_q, s3_u_q, s2_u_q} <=
             {s7_u_q, s6_u_q, s5_u_q, s4_u_q, s3_u_q, s2_u_q, s1_u_q};
         {s10_least_q, s9_least_q} <= {s9_least_q, s8_u_q[55:54]};

@@ -16,6 +16,7 @@ module rt_filter #(
     parameter SQUARES = 0                    // 1: squares in LUTs, not in multipliers
 ) (
     input  wire                 clk,
+    input  wire                 in_valid_i,      // a child; without one nothing switches
     // from the ray
     input  wire signed [FW-1:0] in_org_x_i,  // sFW filter units
     input  wire signed [FW-1:0] in_org_y_i,
@@ -49,7 +50,7 @@ module rt_filter #(
     reg               s1_negative_q;
     reg [13:0]        s1_rad_q;
     reg [FW:0]        s1_depth_max_q;
-    always @(posedge clk) begin
+    always @(posedge clk) if (in_valid_i) begin
         s1_oc_x_q <= $signed({in_ctr_x_i[13], in_ctr_x_i})
                    - $signed({{(15-FW){in_org_x_i[FW-1]}}, in_org_x_i});
         s1_oc_y_q <= $signed({in_ctr_y_i[13], in_ctr_y_i})

@@ -140,15 +140,17 @@ module rt_setup #(
     reg [1:0]        s2_axis_q, s2_least_q;
     always @(posedge clk) begin
         s1_valid_q <= u_valid;
-        s1_slot_q  <= u_slot;
-        s1_kind_q  <= u_kind;
-        s1_vv_q    <= u_vv;
-        s1_unit_q  <= {u_z, u_y, u_x};
-        s1_mag_x_q <= u_x[17] ? ~u_x[16:0] + 17'd1 : u_x[16:0];
-        s1_mag_y_q <= u_y[17] ? ~u_y[16:0] + 17'd1 : u_y[16:0];
-        s1_mag_z_q <= u_z[17] ? ~u_z[16:0] + 17'd1 : u_z[16:0];
-        s1_rsqrt_q <= u_rsqrt;
-        s1_h_q     <= u_shift;
+        if (u_valid) begin                           // so that nothing switches for nothing
+            s1_slot_q  <= u_slot;
+            s1_kind_q  <= u_kind;
+            s1_vv_q    <= u_vv;
+            s1_unit_q  <= {u_z, u_y, u_x};
+            s1_mag_x_q <= u_x[17] ? ~u_x[16:0] + 17'd1 : u_x[16:0];
+            s1_mag_y_q <= u_y[17] ? ~u_y[16:0] + 17'd1 : u_y[16:0];
+            s1_mag_z_q <= u_z[17] ? ~u_z[16:0] + 17'd1 : u_z[16:0];
+            s1_rsqrt_q <= u_rsqrt;
+            s1_h_q     <= u_shift;
+        end
         if (rst) s1_valid_q <= 1'b0;
 
         // ---- stage 2: axes of the largest and of the smallest ----

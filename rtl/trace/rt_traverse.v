@@ -97,7 +97,11 @@ module rt_traverse #(
     // ---- what bounds children: rays set up for it, and the test ----
     wire             rsp_valid, rsp_fresh, rsp_kill, rsp_error;
     wire [SLOTW-1:0] rsp_slot;
+    reg              t1_valid_q;
     reg [255:0]      t1_node_q;
+    wire [2:0]       t1_n_inner = t1_node_q[`RT_NODE_N_INNER_LSB +: `RT_NODE_N_INNER_BITS];
+    wire [2:0]       t1_n_leaf  = t1_node_q[`RT_NODE_N_LEAF_LSB +: `RT_NODE_N_LEAF_BITS];
+    wire [3:0]       t1_count   = {1'b0, t1_n_inner} + {1'b0, t1_n_leaf};
     wire [3:0]       f_pass;
     wire [63:0]      f_near;
     wire             f_order;                                // children as the node has them
@@ -186,8 +190,9 @@ module rt_traverse #(
             for (c = 0; c < 4; c = c + 1) begin : g_lane
                 wire [`RT_CHILD_STRIDE-1:0] child =
                     t1_node_q[`RT_CHILD_STRIDE*c +: `RT_CHILD_STRIDE];
+                localparam [31:0] CHILD = c;
                 rt_filter #(.FW(FW), .SQUARES(SQUARES)) u_filter (
-                    .clk(clk),
+                    .clk(clk), .in_valid_i(t1_valid_q && t1_count > CHILD[3:0]),
                     .in_org_x_i($signed(t1_org[0 +: FW])), .in_org_y_i($signed(t1_org[FW +: FW])),
                     .in_org_z_i($signed(t1_org[2*FW +: FW])),
                     .in_least_i(t1_across[`RT_ACROSS_LEAST]),
@@ -295,16 +300,13 @@ module rt_traverse #(
     );
 
     // ---- t1: node and ray side by side ----
-    reg              t1_valid_q, t1_fresh_q, t1_kill_q;
+    reg              t1_fresh_q, t1_kill_q;
     reg [SLOTW-1:0]  t1_slot_q;
     reg              visit_q, bad_node_q, visit_limit_q, bus_error_q;
     reg [2:0]        tests_q;
     assign depth_read_o = rsp_valid;
     assign depth_slot_o = rsp_slot;
     wire [`RT_LINE_BITS-1:0] t1_base    = t1_node_q[`RT_NODE_BASE_LSB +: `RT_NODE_BASE_BITS];
-    wire [2:0]  t1_n_inner = t1_node_q[`RT_NODE_N_INNER_LSB +: `RT_NODE_N_INNER_BITS];
-    wire [2:0]  t1_n_leaf  = t1_node_q[`RT_NODE_N_LEAF_LSB +: `RT_NODE_N_LEAF_BITS];
-    wire [3:0]  t1_count   = {1'b0, t1_n_inner} + {1'b0, t1_n_leaf};
     wire        whole      = FACETS != 0 && effects[`RT_EFFECT_FACETS];  // a line a leaf child
     wire [2:0]  t1_lines   = whole ? t1_n_leaf : {1'b0, t1_n_leaf[2:1]};
     localparam LB = `RT_LINE_BITS;
@@ -317,10 +319,12 @@ module rt_traverse #(
     wire        t2_bad     = t2_count_q > 4'd4 || t2_end_q > {1'b0, mem_lines};
     always @(posedge clk) begin
         t1_valid_q <= rsp_valid;
-        t1_slot_q  <= rsp_slot;
-        t1_fresh_q <= rsp_fresh;
-        t1_kill_q  <= rsp_kill || rsp_error;
-        t1_node_q  <= rsp_data;
+        if (rsp_valid) begin                         // so that no filter switches for nothing
+            t1_slot_q  <= rsp_slot;
+            t1_fresh_q <= rsp_fresh;
+            t1_kill_q  <= rsp_kill || rsp_error;
+            t1_node_q  <= rsp_data;
+        end
         visit_q       <= i3_valid_q && !i3_kill;
         t2_end_q      <= t1_end;
         t2_count_q    <= t1_count;

@@ -29,6 +29,7 @@ enum Key {
     BUS_ERROR,
     SPOIL,
     EXPECT,
+    GATED,
     RESET_AT,
     LIFE,
     THEN,
@@ -47,6 +48,7 @@ enum Key {
     MODEL_FRAME,
     CLOCKS,
     JSON,
+    TOGGLES,
     REPEAT
 };
 
@@ -73,6 +75,8 @@ const argp_option table[] = {
      "lines from LINE on, all records of leaves or more, answer with an error: no pixel sees a "
      "primitive; with --warm only in the second pass, which needs no line",
      0},
+    {"gated", GATED, nullptr, 0,
+     "the core's clock stands still while active_o is low (not in Icarus, CXXRTL)", 0},
     {"reset-at", RESET_AT, "N[:CLOCKS]", 0,
      "begin the frame, reset in its N-th clock, from 0, for CLOCKS clocks (1), and begin again", 0},
     {"life", LIFE, nullptr, 0, "frames, resets and errors one after another", 0},
@@ -98,6 +102,11 @@ const argp_option table[] = {
     {"clocks", CLOCKS, "FILE", 0,
      "write the clock in which each pixel left, a little-endian word of 32 bits, row by row", 0},
     {"json", JSON, "FILE", 0, "write a report", 0},
+    {"toggles", TOGGLES, "FILE", 0,
+     "count what switches in each instance, in the frame and in 1000 clocks behind it (of a "
+     "netlist "
+     "alone)",
+     0},
     {"repeat", REPEAT, "COMMAND", 0, "how the command printed for repetition starts", 0},
     {nullptr, 0, nullptr, 0, nullptr, 0},
 };
@@ -197,6 +206,9 @@ error_t parse(int key, char *arg, argp_state *state) {
     case BUS_ERROR:
         o.bus_error_at = number(arg, 0, INT64_MAX, state);
         break;
+    case GATED:
+        o.gated = true;
+        break;
     case RESET_AT:
         if (!take(at, 0, INT64_MAX, o.reset_at) ||
             (*at && !take(at, ':', 1, INT32_MAX, o.reset_for)) || *at)
@@ -269,6 +281,9 @@ error_t parse(int key, char *arg, argp_state *state) {
     case JSON:
         o.json = arg;
         break;
+    case TOGGLES:
+        o.toggles = arg;
+        break;
     case REPEAT:
         o.repeat = arg;
         break;
@@ -322,6 +337,7 @@ std::string repeat_command(const Options &o, const Window &w) {
         command += " --pixel " + std::to_string(o.pixel[0]) + "," + std::to_string(o.pixel[1]);
     if (o.spoil >= 0) command += " --spoil " + std::to_string(o.spoil);
     if (o.bus_error_at >= 0) command += " --bus-error-at " + std::to_string(o.bus_error_at);
+    if (o.gated) command += " --gated";
     if (o.life) command += " --life";
     for (const std::string &file : o.then)
         command += " --then " + file;

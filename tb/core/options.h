@@ -38,6 +38,7 @@ struct Options {
     uint64_t max_cycles = 0;       /* 0: no limit */
     bool stop = false;             /* at the first pixel that differs; the rest counts as equal */
     int64_t bus_error_at = -1;     /* this line request, from 0, answers with an error */
+    bool gated = false;            /* the clock stands still while the core does not ask for it */
     int64_t reset_at = -1;         /* the frame is first begun, and cut off in this clock, from 0 */
     int reset_for = 1;             /* by a reset of so many clocks */
     bool life = false;             /* all that a host may do, instead of one frame: see life.h */
@@ -54,7 +55,7 @@ struct Options {
     std::string engine; /* Icarus: the compiled bench; gates: the netlist as JSON */
     std::string core;   /* what the core was built with: a list of sim/cores.py */
     std::string built;  /* the same as parameters, NAME=VALUE ... */
-    std::string trace, frame, model_frame, clocks, json;
+    std::string trace, frame, model_frame, clocks, json, toggles;
     std::string repeat; /* how the command that repeats a failure starts */
 };
 

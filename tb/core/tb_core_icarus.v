@@ -50,13 +50,14 @@ module tb_core_icarus #(
     wire [23:0] pix_frame;
     wire [47:0] count_data;
     wire [`RT_ERRORS-1:0] errors;
+    wire active;
 
     rt_core #(
         `include "rt_core_pass.vh"
     ) u_core (
         .clk(clk), .rst(rst),
         .cfg_valid_i(cfg_valid), .cfg_addr_i(cfg_addr), .cfg_data_i(cfg_data),
-        .start_i(start), .keep_cache_i(keep), .busy_o(busy),
+        .start_i(start), .keep_cache_i(keep), .busy_o(busy), .active_o(active),
         .mem_req_valid_o(req_valid), .mem_req_ready_i(req_ready), .mem_req_line_o(req_line),
         .mem_req_tag_o(req_tag), .mem_rsp_valid_i(rsp_valid), .mem_rsp_ready_o(rsp_ready),
         .mem_rsp_tag_i(rsp_tag), .mem_rsp_data_i(rsp_data), .mem_rsp_error_i(rsp_error),

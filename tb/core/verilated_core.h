@@ -150,7 +150,7 @@ inline void VerilatedCore::step(const Inputs &in, Outputs &out) {
     out.pixel.id = core_->pix_id_o;
     out.pixel.key = core_->pix_key_o;
     out.pixel.visits = core_->pix_visits_o;
-    core_->clk = 1;
+    core_->clk = !o_.gated || core_->active_o;
     core_->eval();
 #if VM_TRACE_FST
     if (trace_) trace_->dump(cycle() * 10 + 5);

@@ -51,6 +51,14 @@ void BlockRam::settle(uint8_t *net) {
             if (port.data[i] > 1) net[port.data[i]] = port.latch[i];
 }
 
+unsigned BlockRam::accesses(const uint8_t *net) const {
+    unsigned sum = 0;
+    for (const std::vector<Port> *ports : {&reads, &writes})
+        for (const Port &port : *ports)
+            sum += net[port.enable] && net[port.enable2];
+    return sum;
+}
+
 void BlockRam::edge(const uint8_t *net) {
     noise_.resize(mem.size());
     struct Write {

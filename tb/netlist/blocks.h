@@ -56,6 +56,7 @@ class BlockRam : public Block {
     Nets outputs() const override;
     void settle(uint8_t *net) override;
     void edge(const uint8_t *net) override;
+    unsigned accesses(const uint8_t *net) const override;
 
   private:
     /* Place in mem of a port's bit. */

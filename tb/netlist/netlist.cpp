@@ -125,6 +125,23 @@ size_t Netlist::bits(const std::string &port) const {
     return found == ports_.end() ? 0 : found->second.size();
 }
 
+void Netlist::tally(std::vector<Switching> *sums) {
+    const uint8_t *net = net_.data();
+    std::vector<Switching> unseen;
+    if (!sums) sums = &unseen;
+    sums->resize(instances_.size());
+    before_.resize(net_.size());
+    for (size_t i = 0; i < net_.size(); i++)
+        if (net[i] != before_[i] && owner_[i]) (*sums)[owner_[i] - 1].toggles++;
+    for (const Flop &f : flops_)
+        if (net[f.reset] || net[f.enable] ^ f.enable_low) (*sums)[owner_[f.q] - 1].clocked++;
+    for (size_t i = 0; i < blocks_.size(); i++) {
+        (*sums)[block_owner_[i] - 1].toggles += blocks_[i]->inside(net);
+        (*sums)[block_owner_[i] - 1].accesses += blocks_[i]->accesses(net);
+    }
+    before_ = net_;
+}
+
 void Netlist::set(const std::string &port, uint64_t value, size_t lsb) {
     const Nets &nets = ports_[port];
     for (size_t i = lsb; i < nets.size() && i < lsb + 64; i++) {

@@ -33,6 +33,10 @@ class Block {
     virtual void settle(uint8_t *net) = 0;
     /* Rising edge: the state from settled inputs. */
     virtual void edge(const uint8_t *net) = 0;
+    /* Nets inside that changed since the last call, of a part that is counted for what is in it. */
+    virtual uint64_t inside(const uint8_t *) { return 0; }
+    /* Ports that look at memory in this clock. */
+    virtual unsigned accesses(const uint8_t *) const { return 0; }
 };
 
 /* A cell as it stands in the file. */
@@ -64,6 +68,16 @@ class Netlist {
     void edge();
     /* "LUT4 6349, ...", "none" */
     std::string cells() const;
+    /* What switches in an instance, summed up over clocks. */
+    struct Switching {
+        uint64_t toggles;  /* nets that changed, those inside of multipliers too */
+        uint64_t clocked;  /* flip-flops whose enable was high */
+        uint64_t accesses; /* ports of block RAM that were enabled */
+    };
+    /* What changed between two settled clocks, added by instance; sums may be nullptr: of the first
+     * clock, with which the second one is compared. */
+    void tally(std::vector<Switching> *sums);
+    const std::vector<std::string> &instances() const { return instances_; }
 
     /* ---- for the models of cells ---- */
     /* truth: bit i is the output for inputs i, the first input lowest. */
@@ -96,6 +110,7 @@ class Netlist {
     };
     void read(const std::string &file);
     void lower(const Cell &cell);
+    uint32_t instance_of(const std::string &cell);
     void order();
 
     std::string error_;
@@ -108,6 +123,11 @@ class Netlist {
     std::vector<Flop> flops_;
     std::vector<std::unique_ptr<Block>> blocks_;
     std::vector<int32_t> order_; /* a table, or -1 - a block */
+    std::vector<std::string> instances_;
+    std::map<std::string, uint32_t> instance_numbers_;
+    std::vector<uint32_t> owner_;       /* of a net: the instance that drives it, from 1; 0: none */
+    std::vector<uint32_t> block_owner_; /* of a block, from 1 */
+    std::vector<uint8_t> before_;       /* nets when they were tallied last */
     uint64_t noise_ = 88172645463325252U;
 };
 

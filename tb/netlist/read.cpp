@@ -105,9 +105,32 @@ void Netlist::clocked(const Cell &cell, const std::string &port) {
     if (cell.pin(port) != clock_) refuse(cell, port + " is not clk");
 }
 
+/* "g_engine[0].u_engine.u_slots" of a cell's name: up to its last instance, which is called u_...
+ * The name's end is a net's. */
+uint32_t Netlist::instance_of(const std::string &cell) {
+    size_t end = 0;
+    for (size_t at = 0, dot; (dot = cell.find('.', at)) != std::string::npos; at = dot + 1)
+        if (!cell.compare(at, 2, "u_")) end = dot;
+    const auto [found, is_new] = instance_numbers_.emplace(
+        cell.substr(0, end), static_cast<uint32_t>(instances_.size() + 1));
+    if (is_new) instances_.push_back(found->first);
+    return found->second;
+}
+
 void Netlist::lower(const Cell &cell) {
+    const size_t tables = tables_.size(), flops = flops_.size(), blocks = blocks_.size();
     count_[cell.type]++;
     if (!lower_ecp5(*this, cell) && !lower_xc7(*this, cell)) refuse(cell, "has no model");
+    owner_.resize(net_.size());
+    const uint32_t instance = instance_of(cell.name);
+    for (size_t i = tables; i < tables_.size(); i++)
+        owner_[tables_[i].out] = instance;
+    for (size_t i = flops; i < flops_.size(); i++)
+        owner_[flops_[i].q] = instance;
+    block_owner_.resize(blocks_.size(), instance);
+    for (size_t i = blocks; i < blocks_.size(); i++)
+        for (Net net : blocks_[i]->outputs())
+            if (net > 1) owner_[net] = instance;
 }
 
 void Netlist::read(const std::string &file) {

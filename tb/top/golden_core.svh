@@ -24,6 +24,7 @@
     wire [31:0] of   = tag + TAGS * (beat / BEATS);
     int        x, y, rendering, l1, l2, chosen;
     assign busy_o          = state_q != IDLE;
+    assign active_o        = 1'b1;
     assign mem_req_valid_o = state_q == READ && asked_q != 2 * lines_q &&
                              BEATS * asked_q - beats_q < BEATS * MEM_DATA;
     assign mem_req_tag_o   = `RT_TAG_BITS'(asked_q % TAGS);

@@ -243,6 +243,7 @@ using Bench = bench::Bench<Vrt_filter>;
 
 void drive(Bench &b, const Vector &v) {
     Vrt_filter &t = b.dut;
+    t.in_valid_i = 1;
     b.set(t.in_org_x_i, FW, v.ray.forg[0]);
     b.set(t.in_org_y_i, FW, v.ray.forg[1]);
     b.set(t.in_org_z_i, FW, v.ray.forg[2]);
