@@ -71,7 +71,7 @@ struct sph_facet_result sph_facet_test(const struct sph_profile *p, const struct
                                        const struct sph_facet_leaf *f) {
     struct sph_facet_result r = {0};
     int64_t a0[3], e1[3], e2[3], n[3]; /* s(W+1), n: s(2W+1) */
-    int plane = f->kind != SPH_TRIANGLE;
+    int plane = sph_facet_is_plane(f);
     for (int i = 0; i < 3; i++) {
         a0[i] = f->v[0][i] - ray->org[i];
         e1[i] = f->v[1][i] - f->v[0][i];

@@ -43,6 +43,10 @@ struct sph_facet_leaf {
     uint32_t before, after; /* its group: ids id-before .. id+after */
 };
 
+static inline int sph_facet_is_plane(const struct sph_facet_leaf *f) {
+    return f->kind != SPH_TRIANGLE;
+}
+
 /* det and num are given with a miss too. */
 struct sph_facet_result {
     int hit;      /* t > 0, on the triangle or the plane; shadow ray: ahead and t < 1 */

@@ -36,4 +36,4 @@ static int validate(const struct sph_machine *m, uint32_t line, const uint32_t *
     return sph_validate_normal(id, prim, normal, err);
 }
 
-const struct sph_prim sph_prim_plane = {1, test, sph_stored_normal, validate};
+const struct sph_prim sph_prim_plane = {1, test, sph_stored_normal, validate, sph_plane_read};

@@ -91,7 +91,7 @@ struct sph_floats sph_float_sphere(int formula, const struct sph_ray *ray,
             e2[i] = (real)f->v[2][i] - (real)f->v[0][i];                                           \
             n[i] = (real)f->v[1][i];                                                               \
         }                                                                                          \
-        int plane = f->kind != SPH_TRIANGLE, inside = 1;                                           \
+        int plane = sph_facet_is_plane(f), inside = 1;                                             \
         real det, t;                                                                               \
         if (plane || volumes) {                                                                    \
             if (!plane) cross_##name(e1, e2, n);                                                   \

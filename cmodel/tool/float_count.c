@@ -66,8 +66,7 @@ static void test_sphere(const struct sph_profile *p, const struct sph_ray *ray,
 
 static void test_facet(const struct sph_profile *p, const struct sph_ray *ray, uint32_t kind,
                        const uint32_t *record, struct test *t) {
-    struct sph_facet_leaf f =
-        kind == SPH_TRIANGLE ? sph_triangle_read(p, record) : sph_plane_read(p, record);
+    struct sph_facet_leaf f = sph_prim_of(kind)->facet(p, record);
     struct sph_ray to_light = *ray, endless = *ray;
     uint64_t divisions = 0;
     to_light.kind = SPH_SHADOW, endless.kind = SPH_PRIMARY;
@@ -135,8 +134,9 @@ static int is_wrong(const struct sph_logged *l, const struct test *tests, int n,
     const struct test *first = NULL;
     for (const struct test *t = tests; t < tests + n; t++) {
         if (!t->by[i].hit || (l->ray.kind == SPH_SHADOW && !t->hides)) continue;
-        double nearer = first ? first->by[i].t - t->by[i].t : 1;
-        if (nearer > 0 || (nearer == 0 && t->id < first->id)) first = t;
+        if (!first || t->by[i].t < first->by[i].t ||
+            (t->by[i].t == first->by[i].t && t->id < first->id))
+            first = t;
     }
     if (l->ray.kind == SPH_SHADOW || !first || !l->hit.key) return !first != !l->hit.key;
     return first->id != l->hit.id && first->key != l->hit.key;

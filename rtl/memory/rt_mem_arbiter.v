@@ -86,7 +86,7 @@ module rt_mem_arbiter #(
     wire [256:0] whole;                            // {error, line} with it
     wire [NB-1:0] of = mem_rsp_tag_i[NB-1:0];
     generate
-        if (BEATS == 1) begin : g_line
+        if (BEATS < 2) begin : g_line
             assign last  = 1'b1;
             assign whole = {mem_rsp_error_i, mem_rsp_data_i};
         end else begin : g_beats

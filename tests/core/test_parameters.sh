@@ -49,7 +49,7 @@ elaborate() { # icarus|verilator|yosys, alone|whole, NAME=VALUE...
     case $tool in
     icarus) iverilog -g2005 -Wall -t null $from $(printf ' -Prt_core.%s' "$@") -s rt_core $core ;;
     verilator)
-        $verilator --lint-only -Wall --error-limit 200 --language 1364-2005 $from \
+        $verilator --lint-only -Wall --error-limit 400 --language 1364-2005 $from \
             $(printf ' -G%s' "$@") --top-module rt_core $core
         ;;
     yosys)

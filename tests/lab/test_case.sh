@@ -35,7 +35,7 @@ paper5|draft|(a) a row a profile, the plot|<td>reference</td>
 ||... energy|Energy: not measured
 ||(d) units|Where cycles go
 huge_tiny|standard|left out, as no ray meets it|<li>inside: .*no ray of this frame
-tests/tool/floats/eye_in_triangle.nff|reference|facets|<td>off</td><td>no primitive has an image
+tests/tool/floats/eye_in_triangle.nff|reference|facets alone|<td>no primitive has an image
 ||... a frame that floats get wrong|float32 sees another primitive in [1-9]
 ||... which is marked|<tr class="wrong"><td[^>]*>primary
 END
