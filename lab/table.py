@@ -54,7 +54,7 @@ EXPERIMENTS = [Experiment(*row) for row in (
      ["rate.pipes BUILD docs/results/speed_and_area.md"]),
     ("pipes-cells", "cells of these cores: docs/results/speed_and_area.md; Yosys, six minutes",
      ["rate.cells BUILD docs/results/speed_and_area.md"]),
-    ("memory-sweep", "clocks by latency and width of memory: shared_units.md; ten minutes",
+    ("memory-sweep", "clocks by latency and width of memory: shared_units.md; half an hour",
      ["rate.memory BUILD docs/results/speed_and_area.md"]),
     ("board-rate", "clocks of frames of 1280x720, that frames a second follow from: the same",
      ["rate.board BUILD docs/results/speed_and_area.md"]),

@@ -9,7 +9,7 @@ from . import cores
 from ..pages.place import place
 
 SIZE = "96x54"
-SPHERES = (4096, 50000)
+SPHERES = (100, 1000, 10000, 50000, 100000, 1000000)
 LATENCIES = (20, 100, 200, 400)
 LIMIT = 200  # the latency at which the limit is told
 AS_IS = 0    # MEM_PENDING by the rule of rt_core
@@ -21,8 +21,8 @@ class Core(namedtuple("Core", "pipes data pending")):
                 "SIZES": f"mem_data={self.data},mem_pending={self.pending}"}
 
 
-CORES = [Core(pipes, data, pending) for pipes in (1, 4)
-         for data, pending in ((64, 16), (64, AS_IS), (256, AS_IS))]
+CORES = [Core(1, 64, 16), Core(4, 64, 16)] + \
+    [Core(pipes, data, AS_IS) for pipes in (1, 2, 3, 4) for data in (64, 128, 256)]
 
 
 def rows(bench):

@@ -23,7 +23,7 @@ static void answers(Checks &c, const Golden &a, const Golden &b) {
         Manner bad;
         bad.stall = 20;
         bad.error = error;
-        bad.error_at = (int64_t)t.random.below(write ? 90 : 40);
+        bad.error_at = (int64_t)t.random.below(write ? 90 : 20);
         c.load(a, SCENE_A);
         (write ? t.frame.behave(bad) : t.scene.behave(bad));
         c.equals("the frame has errors", (uint64_t)c.draw(), SPHAERA_FAILED);
