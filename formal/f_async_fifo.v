@@ -37,6 +37,7 @@ module f_async_fifo #(
     (* hierconn *) wire [AB:0]      \u_dut.u_to_wr.before_q ;
     (* hierconn *) wire [AB:0]      \u_dut.u_to_wr.meta_q ;
     (* hierconn *) wire [AB:0]      \u_dut.u_to_wr.q_o ;
+    (* hierconn *) wire [AB:0]      \u_dut.rd_s_q ;
     (* hierconn *) wire [AB-1:0]    \u_dut.u_words.mark ;
     (* hierconn *) wire [WIDTH-1:0] \u_dut.u_words.word_q ;
 
@@ -78,11 +79,13 @@ module f_async_fifo #(
     wire [AB:0] w2 = binary(\u_dut.u_to_rd.q_o ),      r2 = binary(\u_dut.u_to_wr.q_o );
     wire [AB:0] words = wr_q - rd_q;
     wire [AB:0] w0_in = w0 - rd_q, w1_in = w1 - rd_q, w2_in = w2 - rd_q;
-    wire [AB:0] r0_on = r0 - r2, r1_on = r1 - r2, rd_on = rd_q - r2, wr_on = wr_q - r2;
+    wire [AB:0] r3 = \u_dut.rd_s_q ;    // what the writer goes by
+    wire [AB:0] r0_on = r0 - r3, r1_on = r1 - r3, r2_on = r2 - r3;
+    wire [AB:0] rd_on = rd_q - r3, wr_on = wr_q - r3;
     wire [AB:0] number_in = number_q - rd_q;
     always @* if (!old_q) assume (wr_q == 0 && rd_q == 0 && !rd_valid &&
         \u_dut.wr_gray_q == 0 && \u_dut.rd_gray_q == 0 && w0 == 0 && w1 == 0 && w2 == 0 &&
-        r0 == 0 && r1 == 0 && r2 == 0);
+        r0 == 0 && r1 == 0 && r2 == 0 && r3 == 0);
 
     // ---- last step, for the handshake ----
     reg             wait_q = 1'b0;
@@ -104,7 +107,8 @@ module f_async_fifo #(
         assert (\u_dut.wr_gray_q == (wr_q ^ (wr_q >> 1)));
         assert (\u_dut.rd_gray_q == (rd_q ^ (rd_q >> 1)));
         assert (w2_in <= w1_in && w1_in <= w0_in && w0_in <= words && words - w0_in <= 1);
-        assert (r1_on <= r0_on && r0_on <= rd_on && rd_on <= wr_on && wr_on <= DEPTH);
+        assert (r2_on <= r1_on && r1_on <= r0_on && r0_on <= rd_on && rd_on <= wr_on &&
+                wr_on <= DEPTH);
         assert (rd_on - r0_on <= 1);
         if (marked_q && !gone_q) begin
             assert (number_q[AB-1:0] == \u_dut.u_words.mark );

@@ -1,8 +1,9 @@
 // f_facet_way.v - proof of what waits for a facet's sums: its group, the room and size of its ray
 // SPDX-License-Identifier: Apache-2.0
-// From any state: a facet is taken in clock 0, and in clock 2 the queue is given what own() and
-// end() of cmodel/prim/facet.c have: whether the ray's skip is of its group, the longest axis of
-// dir, of equal ones the first, and along it the room to one unit beyond the grid, and |dir|.
+// From any state: a facet is taken in clock 0, and in clock 2 the queue is given what
+// sph_facet_own() and end() of cmodel/prim/facet.c have: whether the ray's skip is of its group,
+// the longest axis of dir, of equal ones the first, and along it the room to one unit beyond the
+// grid, and |dir|.
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
@@ -33,7 +34,7 @@ module f_facet_way #(
         if (age_q == 0) test_q <= test_in;
     end
 
-    // ---- own(), end() ----
+    // ---- sph_facet_own(), end() ----
     wire [255:0] record = test_q[`RT_TEST_RECORD];
     wire [X-1:0] id     = record[`RT_FACET_ID_LSB +: `RT_FACET_ID_BITS];
     wire [X-1:0] skip   = test_q[`RT_TEST_SKIP];

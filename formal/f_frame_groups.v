@@ -33,11 +33,21 @@ module f_frame_groups #(
     );
     (* hierconn *) wire [BUFFERS-1:0]   \u_dut.used_q ;
     (* hierconn *) wire [BUFFERS-1:0]   \u_dut.full_q ;
-    (* hierconn *) wire [8*BUFFERS-1:0] \u_dut.mask_q ;
+    (* hierconn *) wire          \u_dut.pick_valid_q ;
+    (* hierconn *) wire [AB-1:0] \u_dut.pick_q ;
+    (* hierconn *) wire          \u_dut.s2_valid_q ;
+    (* hierconn *) wire          \u_dut.s2_used_q ;
+    (* hierconn *) wire          \u_dut.s2_same_q ;
+    (* hierconn *) wire [AB-1:0] \u_dut.s2_at_q ;
+    (* hierconn *) wire [TB-1:0] \u_dut.s2_tag_q ;
+    (* hierconn *) wire [7:0]    \u_dut.s2_one_q ;
+    (* hierconn *) wire [CW-1:0] \u_dut.s2_rgb_q ;
+    (* hierconn *) wire [AB-1:0] \u_dut.u_mask.mark ;
+    (* hierconn *) wire [7:0]    \u_dut.u_mask.word_q ;
     (* hierconn *) wire [AB-1:0] \u_dut.u_held.mark ;
     (* hierconn *) wire [TB-1:0] \u_dut.u_held.word_q ;
     (* hierconn *) wire [AB-1:0] \u_dut.u_leaves.mark ;
-    (* hierconn *) wire [TB-1:0] \u_dut.u_leaves.word_q ;
+    (* hierconn *) wire [TB+7:0] \u_dut.u_leaves.word_q ;
     (* hierconn *) wire [AB-1:0] \u_dut.g_pixel[0].u_rgb.mark ;
     (* hierconn *) wire [CW-1:0] \u_dut.g_pixel[0].u_rgb.word_q ;
     (* hierconn *) wire [AB-1:0] \u_dut.g_pixel[5].u_rgb.mark ;
@@ -50,14 +60,16 @@ module f_frame_groups #(
     wire [CW-1:0] kept  = x[2:0] == 0 ? \u_dut.g_pixel[0].u_rgb.word_q
                                       : \u_dut.g_pixel[5].u_rgb.word_q ;
     wire          it    = pix_valid && pix_x == x && pix_y == y;
-    wire [7:0]    mask  = \u_dut.mask_q [8*at +: 8];
+    wire [TB-1:0] tag   = {x[13:3], y[13:AB]};
+    wire [7:0]    mask  = \u_dut.u_mask.word_q ;
+    wire          in_s2 = \u_dut.s2_valid_q && \u_dut.s2_at_q == at && \u_dut.s2_tag_q == tag &&
+                          \u_dut.s2_one_q [x[2:0]];
     wire          held  = \u_dut.used_q [at] && mask[x[2:0]] &&
-                          \u_dut.u_held.word_q == {x[13:3], y[13:AB]};
+                          \u_dut.u_held.word_q == tag;
     wire          there = group_valid && group_column == x[13:3] && group_y == y &&
                           group_mask[x[2:0]];
     reg           old_q = 1'b0, in_q, wait_q, stuck_q, flush_q;
     reg  [CW-1:0] rgb_q;
-    reg  [13:0]   x_q, y_q;
     reg  [8*CW+32:0] group_q;
     wire [8*CW+32:0] group = {group_column, group_y, group_mask, group_rgb};
     always @(posedge clk) begin
@@ -66,15 +78,15 @@ module f_frame_groups #(
         if (it && pix_ready) {in_q, rgb_q} <= {1'b1, pix_rgb};
         wait_q  <= group_valid && !group_ready && !rst;
         group_q <= group;
-        stuck_q <= pix_valid && !pix_ready && (!group_valid || group_ready) && !rst;
-        flush_q <= flush && !pix_valid && |\u_dut.used_q && (!group_valid || group_ready) && !rst;
-        {x_q, y_q} <= {pix_x, pix_y};
+        stuck_q <= pix_valid && !pix_ready && !group_valid && !rst;
+        flush_q <= flush && !\u_dut.s2_valid_q && |\u_dut.used_q && !group_valid && !rst;
         if (rst) in_q <= 1'b0;
     end
     always @* begin
         if (!old_q) assume (rst);
         assume (x[2:0] == 0 || x[2:0] == 5);
         assume (\u_dut.u_held.mark == at && \u_dut.u_leaves.mark == at);
+        assume (\u_dut.u_mask.mark == at);
         assume (\u_dut.g_pixel[0].u_rgb.mark == at && \u_dut.g_pixel[5].u_rgb.mark == at);
         if (it) assume (!in_q);
     end
@@ -83,14 +95,26 @@ module f_frame_groups #(
         if (there) assert (in_q && group_rgb[CW*x[2:0] +: CW] == rgb_q);  // once, its own colour
         if (in_q) assert (!empty);
         if (wait_q) assert (group_valid && group == group_q);             // stable until ready
-        if (stuck_q && pix_valid && {pix_x, pix_y} == {x_q, y_q}) assert (pix_ready);
-        if (flush_q) assert (group_valid);                                // a group a clock
+        if (stuck_q) assert (pix_ready || group_valid);                   // it waits for a group
+        if (flush_q) assert (group_valid || \u_dut.pick_valid_q );        // one in two clocks
         // invariant
-        assert (in_q == (held || there) && !(held && there));
+        assert (in_q == (in_s2 || held || there));
+        assert (in_s2 + held + there < 2);
         if (held) assert (kept == rgb_q);
+        if (in_s2) assert (\u_dut.s2_rgb_q == rgb_q);
         assert ((\u_dut.full_q & ~\u_dut.used_q ) == 0);
-        if (\u_dut.used_q [at]) assert (\u_dut.full_q [at] == &mask);
-        assert (\u_dut.u_held.word_q == \u_dut.u_leaves.word_q || !\u_dut.used_q [at]);
+        if (\u_dut.used_q [at]) begin
+            assert (\u_dut.full_q [at] == &mask);
+            assert (\u_dut.u_leaves.word_q == {\u_dut.u_held.word_q , mask});
+        end
+        if (\u_dut.pick_valid_q ) assert (\u_dut.used_q [\u_dut.pick_q ]);
+        if (\u_dut.s2_valid_q ) begin
+            assert (\u_dut.s2_one_q != 0 &&
+                    (\u_dut.s2_one_q & (\u_dut.s2_one_q - 1'b1)) == 0);
+            assert (\u_dut.s2_used_q == \u_dut.used_q [\u_dut.s2_at_q ]);
+            if (\u_dut.s2_used_q && \u_dut.s2_at_q == at)
+                assert (\u_dut.s2_same_q == (\u_dut.s2_tag_q == \u_dut.u_held.word_q ));
+        end
     end
 endmodule
 `default_nettype wire

@@ -51,6 +51,8 @@ module f_frame_layers (
     (* hierconn *) wire [255:0] \u_dut.u_write.group_data_i ;
     // of the frame
     (* hierconn *) wire [15:0]  \u_dut.stride_q ;
+    (* hierconn *) wire         \u_dut.row_valid_q ;
+    (* hierconn *) wire [29:0]  \u_dut.row_q ;
     (* hierconn *) wire         \u_dut.rgb565_q ;
     (* hierconn *) wire [31:0]  \u_dut.g_layers.layer_bytes_q ;
     (* hierconn *) wire [31:0]  \u_dut.g_layers.base_q ;
@@ -61,23 +63,28 @@ module f_frame_layers (
     reg         old_q = 1'b0, begun_q = 1'b0, there_q;
     wire drop = cut || dead;
     wire out  = \u_dut.u_write.group_valid_i && \u_dut.u_write.group_ready_o ;
-    wire in   = \u_dut.u_groups.group_valid_o && (!there_q || out);
+    wire in   = \u_dut.row_valid_q && (!there_q || out);
     wire [71:0] all = \u_dut.u_groups.group_rgb_o [72*p +: 72];
     reg  [1:0]  turn_q;                   // the layer that is next of the group
     reg  [31:0] layer_q, base_q, addr_q;
     wire [31:0] past = turn_q == 0 ? 0 : turn_q == 1 ? layer_q : 2 * layer_q; // layers before it
     reg  [23:0] rgb_q;
     reg  [7:0]  mask_q;
+    reg  [29:0] row_q;                    // product of these, of the clock before
+    reg  [13:0] y_q;
+    reg  [15:0] step_q;
     always @(posedge clk) begin
         old_q  <= 1'b1;
         base_q <= base;
         if (begins) {begun_q, layer_q} <= {1'b1, layer};
+        {y_q, step_q} <= {\u_dut.u_groups.group_y_o , \u_dut.stride_q };
+        row_q <= {16'd0, \u_dut.u_groups.group_y_o } * {14'd0, \u_dut.stride_q };
         if (out) there_q <= 1'b0;
         if (in) begin
             there_q <= 1'b1;
             turn_q  <= turn_q == 2'd2 ? 2'd0 : turn_q + 2'd1;
             addr_q  <= (turn_q == 2'd0 ? base : \u_dut.g_layers.base_q ) +
-                       {16'd0, \u_dut.u_groups.group_y_o } * {14'd0, \u_dut.stride_q } +
+                       row_q +
                        (8 * \u_dut.u_groups.group_column_o << (\u_dut.rgb565_q ? 1 : 2));
             rgb_q   <= all >> 24 * turn_q;
             mask_q  <= \u_dut.u_groups.group_mask_o ;
@@ -97,7 +104,7 @@ module f_frame_layers (
     always @* if (old_q) begin
         assert (\u_dut.u_groups.pix_rgb_i == colours);
         // it leaves with its third burst
-        assert (\u_dut.u_groups.group_ready_i == (turn_q == 2'd2 && (!there_q || out)));
+        assert (\u_dut.u_groups.group_ready_i == (turn_q == 2'd2 && in));
         assert (\u_dut.u_write.group_valid_i == there_q);
         if (there_q) begin
             assert (\u_dut.u_write.group_addr_i == addr_q);
@@ -112,9 +119,13 @@ module f_frame_layers (
         // invariant
         assert (\u_dut.g_layers.layer_q == turn_q && turn_q < 3);
         if (begun_q) assert (\u_dut.g_layers.layer_bytes_q == layer_q);
-        if (turn_q != 2'd0) assert (begun_q && \u_dut.u_groups.group_valid_o );
+        if (turn_q != 2'd0) assert (begun_q && \u_dut.row_valid_q );
         if (turn_q != 2'd0) assert (\u_dut.g_layers.base_q == base_q + past);
         if (there_q) assert (begun_q);
+        assert (\u_dut.row_q == row_q);
+        if (\u_dut.row_valid_q )            // of the group that waits
+            assert (\u_dut.u_groups.group_valid_o && y_q == \u_dut.u_groups.group_y_o &&
+                    step_q == \u_dut.stride_q );
         assert (empty == (\u_dut.u_groups.empty_o && !there_q && idle));
     end
 endmodule

@@ -56,6 +56,8 @@ module f_frame_write (
     // of the frame
     (* hierconn *) wire [1:0]   \u_dut.g_mux.mux_q ;
     (* hierconn *) wire [15:0]  \u_dut.stride_q ;
+    (* hierconn *) wire         \u_dut.row_valid_q ;
+    (* hierconn *) wire [29:0]  \u_dut.row_q ;
     (* hierconn *) wire         \u_dut.rgb565_q ;
 
     // ---- model: the group that is between, its format and its place ----
@@ -70,13 +72,18 @@ module f_frame_write (
     reg  [31:0] addr_q;
     reg  [23:0] rgb_q;
     reg  [7:0]  mask_q;
+    reg  [29:0] row_q;                    // product of these, of the clock before
+    reg  [13:0] y_q;
+    reg  [15:0] step_q;
     always @(posedge clk) begin
         old_q <= 1'b1;
         if (begins) {begun_q, mux_q, half_q, stride_q} <= {1'b1, mux, rgb565, stride};
+        {y_q, step_q} <= {\u_dut.u_groups.group_y_o , \u_dut.stride_q };
+        row_q <= {16'd0, \u_dut.u_groups.group_y_o } * {14'd0, \u_dut.stride_q };
         if (out) there_q <= 1'b0;
         if (in) begin
             there_q <= 1'b1;
-            addr_q  <= base + {16'd0, \u_dut.u_groups.group_y_o } * {14'd0, \u_dut.stride_q } +
+            addr_q  <= base + row_q +
                        (8 * \u_dut.u_groups.group_column_o << (half_q ? 1 : 2));
             rgb_q   <= rgb_in;
             mask_q  <= \u_dut.u_groups.group_mask_o ;
@@ -121,6 +128,10 @@ module f_frame_write (
         if (begun_q) assert (\u_dut.stride_q == stride_q && \u_dut.rgb565_q == half_q);
         if (begun_q) assert (\u_dut.g_mux.mux_q == mux_q);
         if (there_q) assert (begun_q);
+        assert (\u_dut.row_q == row_q);
+        if (\u_dut.row_valid_q )            // of the group that waits
+            assert (\u_dut.u_groups.group_valid_o && y_q == \u_dut.u_groups.group_y_o &&
+                    step_q == \u_dut.stride_q );
         assert (empty == (\u_dut.u_groups.empty_o && !there_q && idle));  // nothing is between
     end
 endmodule

@@ -26,14 +26,14 @@ module f_run (
 );
     wire [15:0] errors;
     wire done, busy, draining, waiting, load, core_rst, core_start, core_keep, clear, begins, ends,
-         good, cut, forget, read_dead, write_dead, flush;
+         good, cut, forget, write_dead, flush;
     rt_run u_dut (
         .clk(clk), .rst(rst), .order_i(order), .limit_i(limit), .errors_o(errors), .done_o(done),
         .busy_o(busy), .draining_o(draining), .waiting_o(waiting), .load_o(load),
         .loading_i(loading), .core_rst_o(core_rst), .core_start_o(core_start),
         .core_keep_o(core_keep), .core_busy_i(core_busy), .core_errors_i(core_errors),
         .room_i(room), .clear_o(clear), .begin_o(begins), .end_o(ends), .good_o(good),
-        .cut_o(cut), .forget_o(forget), .read_dead_o(read_dead), .read_idle_i(read_idle),
+        .cut_o(cut), .forget_o(forget), .read_idle_i(read_idle),
         .read_stall_i(read_stall), .read_errors_i(read_errors), .write_dead_o(write_dead),
         .flush_o(flush), .write_empty_i(write_empty), .write_idle_i(write_idle),
         .write_stall_i(write_stall), .write_errors_i(write_errors), .scan_error_i(scan_error),
@@ -41,11 +41,13 @@ module f_run (
     );
     (* hierconn *) wire [2:0] \u_dut.state_q ;
     (* hierconn *) wire       \u_dut.bad_q ;
+    (* hierconn *) wire [1:0] \u_dut.dead_q ;
     (* hierconn *) wire       \u_dut.keep_q ;
     (* hierconn *) wire       \u_dut.silent_q ;
     (* hierconn *) wire [31:0] \u_dut.read_q ;
     (* hierconn *) wire [31:0] \u_dut.write_q ;
     (* hierconn *) wire [31:0] \u_dut.scan_q ;
+    wire read_dead = \u_dut.dead_q [0];
     wire start  = order[`RT_TOP_CONTROL_START];
     wire anew   = order[`RT_TOP_CONTROL_SOFT_RESET];
     wire stop   = anew || (order[`RT_TOP_CONTROL_STOP] && (busy || draining));
@@ -92,7 +94,7 @@ module f_run (
         if (begins) assert (frame_q && room && !stop);
         if (ends && good) assert (!bad_q && core_errors == 0);   // a frame without any error
         if (stop && frame_q) assert (done && !ends);
-        assert (core_rst == draining && cut == draining);
+        assert (core_rst == (draining || read_dead) && cut == draining);
         if (drain_q && !draining) assert (quiet_q);              // the buses owe nothing
         if (dead_q && !ended_q) assert (read_dead || write_dead); // given up until they do
         if (told_q) assert (!told);                              // a silence is told once

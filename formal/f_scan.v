@@ -56,6 +56,11 @@ module f_scan #(
     (* hierconn *) wire [12:0]   \u_dut.left_q ;
     (* hierconn *) wire [12:0]   \u_dut.rows_q ;
     (* hierconn *) wire          \u_dut.begin_q ;
+    (* hierconn *) wire          \u_dut.room_q ;
+    (* hierconn *) wire          \u_dut.short ;
+    (* hierconn *) wire          \u_dut.short_q ;
+    (* hierconn *) wire [$clog2(BURST):0] \u_dut.length ;
+    (* hierconn *) wire [$clog2(BURST):0] \u_dut.length_q ;
 
     // ---- model: beats that the bus owes, words of the queue, the address that waits ----
     reg          old_q = 1'b0;
@@ -104,6 +109,10 @@ module f_scan #(
         assert (\u_dut.owed_q == owed_q + (arvalid ? length : 1'b0));
         assert ({1'b0, count_q} + {1'b0, \u_dut.owed_q } <= DEPTH);
         if (\u_dut.begin_q ) assert (\u_dut.stale_q );
+        if (\u_dut.room_q && !arvalid)
+            assert ({1'b0, count_q} + {1'b0, \u_dut.owed_q } <= DEPTH - BURST);
+        if (\u_dut.room_q && !arvalid && \u_dut.read_q )
+            assert (\u_dut.length_q == \u_dut.length && \u_dut.short_q == \u_dut.short );
         if (\u_dut.read_q && !\u_dut.stale_q ) begin
             assert (\u_dut.left_q >= 1 && \u_dut.left_q <= beats && \u_dut.rows_q != 0);
             assert (\u_dut.addr_q + \u_dut.left_q * BYTES == \u_dut.row_q + beats * BYTES);

@@ -92,7 +92,7 @@ def summed(name, rows):
 
 
 def sums(rows, kind):
-    """What stands in the page: the command, all cases, the sums of profiles and of kinds."""
+    """What stands in the page: all cases, the sums of profiles and of kinds."""
     def table(first, key):
         names = list(dict.fromkeys(map(key, rows)))
         lines = [summed(n, [r for r in rows if key(r) == n]) for n in names]
@@ -100,8 +100,7 @@ def sums(rows, kind):
             [summed("all", rows)] if first == "profile" else []))
     wrong_ones = sum(sum(counts(r["wrong"])) + int(r["other"]) for r in rows)
     cases = sum(int(r["cases"]) for r in rows)
-    each = sum(int(r["cases"]) for r in rows if r["profile"] == "standard")
-    head = [f"    make hard N={each} SEED=1", "", f"{cases} cases, {wrong_ones} wrong.", ""]
+    head = [f"{cases} cases, {wrong_ones} wrong.", ""]
     return "\n".join(head + [table("profile", lambda r: r["profile"])]), \
         table("kind", lambda r: kind.get(r["family"], "spheres"))
 

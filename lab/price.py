@@ -115,7 +115,7 @@ def plot(folder, price):
     """Error against time; True if there is a point."""
     drawn = [row for row in price["rows"] if not row["why"] and row["measured"]["psnr"] is not None]
     timed = all(row["milliseconds"] for row in drawn)
-    dots = [(row["milliseconds"] if timed else row["rtl"] or row["cycles_per_pixel"],
+    dots = [(row["milliseconds"] if timed else row.get("rtl") or row["cycles_per_pixel"],
              error(row["measured"]["psnr"]), row["name"]) for row in drawn]
     of_profiles = [dot for dot in dots if dot[2] in PROFILES]
     series = [("profiles", of_profiles)] + [("", [dot]) for dot in dots if dot not in of_profiles]
@@ -147,17 +147,27 @@ def rows(price):
                              for i, row in enumerate(price["rows"])], range(1, len(HEAD)))
 
 
+def style(price):
+    """Of pictures()."""
+    return STYLE % min(price["width"], 480)
+
+
+def pictures(folder, scene, tool, price):
+    """The plot, and where each profile's picture is off."""
+    body = ""
+    if plot(folder, price):
+        svg = (folder / "price.svg").read_text("utf-8")
+        body = "<h2>Error against time</h2>" + svg[svg.index("<svg"):]
+    return body + "<h2>Where pictures differ from the scene as written</h2>" \
+        + strip(folder, scene, tool, price)
+
+
 def page(folder, scene, tool, price):
-    body = (STYLE % min(price["width"], 480) + "<h1>What accuracy costs in time</h1>"
+    return (style(price) + "<h1>What accuracy costs in time</h1>"
             f"<p>{html.text(scene)}, {price['width']}x{price['height']}</p>"
             + rows(price) + f"<p>{html.text(price['says'])}</p>"
             + (f"<p>Does not pay: {html.text(price['tried'])}.</p>" if price["tried"] else "")
-            + "<h2>Error against time</h2>")
-    if plot(folder, price):
-        svg = (folder / "price.svg").read_text("utf-8")
-        body += svg[svg.index("<svg"):]
-    return body + "<h2>Where pictures differ from the scene as written</h2>" \
-        + strip(folder, scene, tool, price)
+            + pictures(folder, scene, tool, price))
 
 
 def main(folder, scene):

@@ -74,6 +74,10 @@ AVX2 := $(if $(findstring x86_64,$(shell $(CC) -dumpmachine)),-mavx2)
 $B/obj/cmodel/fast/%_avx2.o $B/asan/obj/cmodel/fast/%_avx2.o: override CFLAGS += $(AVX2)
 $B/clang/obj/cmodel/fast/%_avx2.o: override CLANG_FLAGS += $(AVX2)
 
+# Floating point of which each operation rounds.
+$B/obj/cmodel/reference/floats.o $B/asan/obj/cmodel/reference/floats.o: \
+    override CFLAGS += -ffp-contract=off
+
 # What the tool loads when a picture is asked for: cmodel/image/lazy.c.
 $(PICTURE): $(call objects,obj/,$(IMAGE_CXX) cmodel/image/plain.c) $(LIB) $B/sources
 	$(call say,LD,$(@F))

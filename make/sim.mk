@@ -23,12 +23,12 @@ SIM_KEY     := $(MACHINE_KEY) EFFECTS ENGINES PIPES LEAF_UNITS SHADES ROOT_STEP 
 # (call run,GOAL,KEY): the names of its folder and how it speaks are passed besides.
 run = $(call values,$(2) PROFILE SIZE SAMPLES V) BUILD=$B sh sim/run.sh $(1) $(2)
 # The command that repeats a run, for its report: what was given to make.
-repeated = make sim $(call values,$(filter-out V CSV,$(CHECK)))
+repeated = make sim $(call values,$(filter-out V CSV RTL CELLS,$(CHECK)))
 
 render: $(TOOL) ## SCENE through the golden model: picture, counters
 	$(Q)$(call run,render,$(MACHINE_KEY))
 
-price: $(TOOL) $(if $(filter 1,$(RTL)),$B/sim/pictures) ## what accuracy of SCENE costs; MORE=1
+price: $(TOOL) ## what accuracy costs SCENE in time: table, picture; MORE=1, RTL=1
 	$(Q)$(call values,B MORE RTL LATENCY SEED DEPTH ACCEL SCENE SIZE ERROR) $(call run,price,\
 	    $(MACHINE_KEY) MORE RTL LATENCY)
 
@@ -47,6 +47,11 @@ sim: $(TOOL) $(PICTURES) ## SCENE through model and RTL, compared bit for bit; T
 	$(Q)test $(TOP)$(LAYERS) != 01 || { echo 'LAYERS=1: with TOP=1 alone' >&2; exit 2; }
 	$(Q)export REPEATED=$(call quoted,$(repeated)); $(if $(filter 1,$(TOP)),$(top_run),\
 	    $(call values,CSV) $(call run,sim,$(SIM_KEY)))
+
+.PHONY: case
+case: sim ## a page of SCENE: what accuracy costs, hard tests, own core, limit; CELLS=0
+	$(Q)folder=$$($(call run,--folder sim,$(SIM_KEY))) && \
+	    $(call values,RTL CELLS DEPTH) BUILD=$B python3 -m lab case $$folder
 
 .PHONY: movie-setup
 movie-setup: ## installs ffmpeg (apt), which films in .mp4 need

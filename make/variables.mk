@@ -79,8 +79,8 @@ CORE_MHZ ?= 84
 WATCHDOG ?= 200000
 ## TOP 0|1 if 1, make sim draws FRAMES one behind the other on one rt_top
 TOP ?= 0
-## TOP_DATA <words> bits of the data of rt_top's buses, of make top and cocotb
-TOP_DATA ?= 64 128
+## TOP_DATA <words> bits of the scene's data at rt_top, of make top and cocotb; of all up to 128
+TOP_DATA ?= 64 128 256
 ## HD_SCENE <word> scene in scenes/ of make top-hd
 HD_SCENE ?= paper5
 ## LAYERS 0|1 if 1, with TOP=1, rt_top stores Rendering, L1 and L2 of each frame side by side
@@ -105,8 +105,11 @@ LITERAL ?= 0
 WAVES ?= 0
 ## MORE 0|1@price if 1, make price has a row for each single knob that pays
 MORE ?= 0
-## RTL 0|1@price if 1, make price measures clocks on the RTL, a minute a core
+## RTL 0|1@price|1@case if 1, make price measures clocks on the RTL, a minute a core, and make case
+##             those of the whole core
 RTL ?= 0
+## CELLS 0@case|1 if 0, make case synthesises nothing
+CELLS ?= 1
 ## CSV <text>| file to which make sim appends a row of what it counted
 CSV ?=
 ## TARGET ecp5|xc7|gowin|ice40|nexus|gatemate|efinix|generic|all of make synth
@@ -119,6 +122,8 @@ RESULTS ?= $B/study/results
 ROUTE ?= 0
 ## SEEDS <words> of it: SPEED-SEED each
 SEEDS ?= 8-1 8-2 8-3 8-4 8-5 6-1
+## BLOCK <words>| of make clock-budget: these modules alone
+BLOCK ?=
 ## SEEDS_CORE <word> of it: the core, as synth/core.sh has it
 SEEDS_CORE ?= standard-ecp5-shadow+reflect2+lights3+inside-engines1
 ## ENGINE make|slurm what runs make study, hard, textures, campaign: here, or a cluster (sbatch)

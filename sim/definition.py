@@ -136,10 +136,11 @@ def read():
 
 
 def value(text, values):
-    """Of a rule's expression in C: names, numbers, ?: && ||."""
+    """Of a rule's expression in C: names, whole numbers, ?: && ||, max and min of two."""
     asked, has, rest = text.partition("?")
     if has:
         one, _, other = rest.partition(":")
         return value(one if value(asked, values) else other, values)
-    return int(eval(text.replace("&&", " and ").replace("||", " or "),   # pylint: disable=eval-used
-                    {"__builtins__": {}}, values))
+    text = text.replace("&&", " and ").replace("||", " or ").replace("/", "//")
+    known = {"__builtins__": {}, "max": max, "min": min}
+    return int(eval(text, known, values))   # pylint: disable=eval-used

@@ -1,6 +1,7 @@
 /* bundles.h - generated from bundles.def by make layout; do not edit
  * SPDX-License-Identifier: Apache-2.0
- * The arguments low bit, bits of bench::put() and bench::get() for each field. */
+ * The arguments low bit, bits of bench::put() and bench::get() for each field;
+ * X(field, register, how many, with what they are built) of registers. */
 #ifndef SPH_BUNDLES_H
 #define SPH_BUNDLES_H
 #include "machine/layout.h"
@@ -205,6 +206,24 @@
 #define RT_REGS_N_LOOSE (SPH_EFFECT_BITS+SPH_RGB_BITS+3*W+5*SPH_LINE_BITS+SPH_VISITS_BITS+SPH_ID_BITS+67), (SPH_ID_BITS)
 #define RT_REGS_BOX (SPH_EFFECT_BITS+SPH_RGB_BITS+3*W+5*SPH_LINE_BITS+SPH_VISITS_BITS+2*SPH_ID_BITS+67), (6*(W+2))
 #define RT_REGS_BITS (SPH_EFFECT_BITS+SPH_RGB_BITS+3*W+5*SPH_LINE_BITS+SPH_VISITS_BITS+2*SPH_ID_BITS+6*(W+2)+67)
+#define RT_REGS_EACH(X)  \
+    X(EFFECTS, EFFECTS, 1, 1) \
+    X(TEX_FILTER, TEX_FILTER, 1, TEXTURE) \
+    X(MAX_DEPTH, MAX_DEPTH, 1, 1) \
+    X(LEAST, LEAST_WEIGHT, 1, 1) \
+    X(N_LIGHTS, N_LIGHTS, 1, 1) \
+    X(BACKGROUND, BG_COLOUR, 1, 1) \
+    X(AMBIENT, AMBIENT_R, 3, 1) \
+    X(EYE, EYE_X, 3, 1) \
+    X(ROOT, ROOT, 1, 1) \
+    X(PRIM_BASE, PRIM_BASE, 1, 1) \
+    X(SMOOTH_BASE, SMOOTH_BASE, 1, SMOOTH) \
+    X(MEM_LINES, MEM_LINES, 1, 1) \
+    X(VISIT_LIMIT, VISIT_LIMIT, 1, 1) \
+    X(N_PRIMS, N_PRIMS, 1, ACCEL) \
+    X(LEAF_BASE, LEAF_BASE, 1, ACCEL) \
+    X(N_LOOSE, N_LOOSE, 1, ACCEL) \
+    X(BOX, BOX_X0, 6, ACCEL)
 #define RT_TRACE_EVENT_ISSUED (0), (1)
 #define RT_TRACE_EVENT_VISIT (1), (1)
 #define RT_TRACE_EVENT_TESTS (2), (3)

@@ -1,9 +1,10 @@
 /* hard.h - the hard cases of tests/hard as vectors of the benches
  * SPDX-License-Identifier: Apache-2.0
  *
- * First the named cases, then EACH generated ones of every family of spheres; hard_cases.h has the
- * others. Those that have the effect INSIDE off come behind all others, and the named ones with
- * them once more, so that a bench has to switch but once.
+ * First the named cases, then EACH generated ones of every family of spheres, and of those of a
+ * sphere and a facet, of which the facet counts for pairs alone; hard_cases.h has the others. Those
+ * that have the effect INSIDE off come behind all others, and the named ones with them once more,
+ * so that a bench has to switch but once.
  *
  *     hard::Source hard(
  *         b.seed, [](const sph_profile &p) { return p.w == W && p.wd == WD; },
@@ -25,6 +26,7 @@
 #include "bench.h"
 extern "C" {
 #include "tests/hard/list.h"
+#include "prim/facet.h"
 #include "prim/sphere.h"
 #include "core/ray.h"
 #include "trace/setup.h"
@@ -102,12 +104,13 @@ class Source {
         return false;
     }
 
-    /* The next two spheres of one ray that both have a key. */
+    /* The next two spheres of one ray, or sphere and facet, that both have a key. */
     bool next_pair(Case &one, Case &other) {
         while (fetch()) {
-            if (waiting.n != 2) continue;
+            bool tie = waiting.of == HARD_TIES;
+            if (waiting.n != 2 && !tie) continue;
             one = make(0);
-            other = make(1);
+            other = tie ? make_facet() : make(1);
             sphere = 2;
             if (!one.key || !other.key) continue;
             (one.named ? named : generated)++;
@@ -149,15 +152,19 @@ class Source {
             item = items.get()[at++];
             if (alone() && item.named != alone()) continue;
             waiting = item.c;
+            if (item.what == HARD_CASE && waiting.of == HARD_TIES) item.what = HARD_RAY;
             if (item.what != HARD_RAY) waiting.n = !outside;
             if (outside) waiting.ray.inside = 0;
             if (waiting.n) return true;
         }
         item = {};
-        if (alone()) family = HARD_SPHERE_FAMILIES;
+        if (alone()) family = HARD_FAMILIES;
         do {
             if (number == EACH) family++, number = 0;
-            if (family == HARD_SPHERE_FAMILIES) {
+            while (family < HARD_FAMILIES && hard_families[family].of != HARD_SPHERES &&
+                   hard_families[family].of != HARD_TIES)
+                family++;
+            if (family == HARD_FAMILIES) {
                 waiting.n = 0;
                 if (outside) return false;
                 outside = true;
@@ -168,6 +175,16 @@ class Source {
             hard_make(seed, family, profile, number++, &waiting);
         } while (waiting.ray.inside == outside);
         return true;
+    }
+
+    /* Of a sphere and a facet, what the facet has: its key. */
+    Case make_facet() {
+        Case c = make(0);
+        uint64_t divisions = 0;
+        sph_facet_result r = sph_facet_test(&sph_profiles[profile], &c.ray, &waiting.facet[0]);
+        c.key = r.hit && c.ray.kind != SPH_SHADOW ? sph_facet_key(&c.ray, &r, &divisions) : 0;
+        c.result.far = r.far;
+        return c;
     }
 
     Case make(int which) {

@@ -1,7 +1,8 @@
 /* hard_cases.h - the hard cases of another kind than spheres, as vectors of a bench
  * SPDX-License-Identifier: Apache-2.0
  *
- * The named cases of tests/hard first, then CASES generated ones of each family of the kind.
+ * The named cases of tests/hard first, then CASES generated ones of each family of the kind. Those
+ * of a sphere and a facet are of facets here.
  *
  *     hard::Cases cases(b.seed, HARD_UNITS, [](const sph_profile &p) { return p.wd == BITS; });
  *     cases.limit(b);                             // HARD_CASE=80 alone: its vectors, at least one
@@ -48,7 +49,7 @@ class Cases {
         free(list.items);
         named = all.size();
         for (int f = 0; f < HARD_FAMILIES && !alone(); f++)
-            for (uint64_t i = 0; i < CASES && hard_families[f].of == kind; i++) {
+            for (uint64_t i = 0; i < CASES && is_of(hard_families[f].of, kind); i++) {
                 Vector v;
                 v.family = f, v.profile = profile, v.seed = seed, v.number = i;
                 hard_make(seed, f, profile, i, &v.c);
@@ -69,6 +70,10 @@ class Cases {
     std::vector<Vector> all;
     size_t named = 0;
 
+    static bool is_of(int of, int kind) {
+        return of == kind || (of == HARD_TIES && kind == HARD_FACETS);
+    }
+
     /* A bent ray has a direction and a normal: both are vectors to make units of. */
     void add(const hard_item &item, int kind, int profile) {
         Vector v;
@@ -85,7 +90,7 @@ class Cases {
         if (bent && (kind == HARD_REFRACTION || kind == HARD_UNITS)) {
             memcpy(v.c.v, item.normal, sizeof v.c.v);
             all.push_back(v);
-        } else if (item.what == HARD_CASE && item.c.of == kind) {
+        } else if (item.what == HARD_CASE && is_of(item.c.of, kind)) {
             all.push_back(v);
         }
     }

@@ -9,20 +9,16 @@
 
 void sph_fast_triangle_read(const struct sph_profile *p, const uint32_t *record,
                             struct sph_fast_triangle *t) {
-    static const int corner[3] = {SPH_TRIANGLE_V0_X_LSB, SPH_TRIANGLE_V1_X_LSB,
-                                  SPH_TRIANGLE_V2_X_LSB};
-    int64_t v[3][3], e[2][3];
+    int64_t e[2][3];
     memset(t, 0, sizeof *t);
     uint32_t kind = sph_record_kind(1, record);
     if (sph_prim_of(kind) != &sph_prim_triangle || sph_record_clear(kind, record)) return;
-    struct sph_facet_leaf head = sph_facet_head(record, (int)kind);
-    t->known = 1, t->id = head.id, t->before = head.before, t->after = head.after;
-    for (int i = 0; i < 3; i++)
-        sph_vector_read(record, corner[i], p->w, v[i]);
+    struct sph_facet_leaf f = sph_triangle_read(p, record);
+    t->known = 1, t->id = f.id, t->before = f.before, t->after = f.after;
     for (int i = 0; i < 3; i++) {
-        e[0][i] = v[1][i] - v[0][i];
-        e[1][i] = v[2][i] - v[0][i];
-        t->v[i] = (int32_t)v[0][i];
+        e[0][i] = f.v[1][i] - f.v[0][i];
+        e[1][i] = f.v[2][i] - f.v[0][i];
+        t->v[i] = (int32_t)f.v[0][i];
         t->e1[i] = (int32_t)e[0][i];
         t->e2[i] = (int32_t)e[1][i];
     }

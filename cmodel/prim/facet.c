@@ -16,8 +16,7 @@ static sph_i128 dot(const int64_t a[3], const int64_t b[3]) {
     return (sph_i128)a[0] * b[0] + (sph_i128)a[1] * b[1] + (sph_i128)a[2] * b[2];
 }
 
-/* The ray's skip is of the facet's group. */
-static int own(const struct sph_ray *ray, const struct sph_facet_leaf *f) {
+int sph_facet_own(const struct sph_ray *ray, const struct sph_facet_leaf *f) {
     uint32_t skip = ray->skip.id;
     return skip + f->before >= f->id && skip <= f->id + f->after;
 }
@@ -72,7 +71,7 @@ struct sph_facet_result sph_facet_test(const struct sph_profile *p, const struct
                                        const struct sph_facet_leaf *f) {
     struct sph_facet_result r = {0};
     int64_t a0[3], e1[3], e2[3], n[3]; /* s(W+1), n: s(2W+1) */
-    int plane = f->kind != SPH_TRIANGLE;
+    int plane = sph_facet_is_plane(f);
     for (int i = 0; i < 3; i++) {
         a0[i] = f->v[0][i] - ray->org[i];
         e1[i] = f->v[1][i] - f->v[0][i];
@@ -92,7 +91,7 @@ struct sph_facet_result sph_facet_test(const struct sph_profile *p, const struct
         SPH_NOTE(ray->stages, SPH_STAGE_TRIANGLE, f->id, det, num, u1, u2);
     }
 
-    if (own(ray, f) || det == 0 || r.num <= 0) return r;
+    if (sph_facet_own(ray, f) || det == 0 || r.num <= 0) return r;
     int shadow = sph_ray_ends(ray);
     if (shadow && r.num >= (sph_i128)r.det) return r;
     if (shadow && !ahead(p, ray, n, det < 0, r.num)) return r;

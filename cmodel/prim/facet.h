@@ -43,6 +43,10 @@ struct sph_facet_leaf {
     uint32_t before, after; /* its group: ids id-before .. id+after */
 };
 
+static inline int sph_facet_is_plane(const struct sph_facet_leaf *f) {
+    return f->kind != SPH_TRIANGLE;
+}
+
 /* det and num are given with a miss too. */
 struct sph_facet_result {
     int hit;      /* t > 0, on the triangle or the plane; shadow ray: ahead and t < 1 */
@@ -51,6 +55,9 @@ struct sph_facet_result {
     sph_i128 num; /* N.A0, negated if N.dir < 0: t = num/det; s(3W+2) */
     uint64_t add; /* to the key; u(WD-1) */
 }; /* of a plane beyond the grid: |dir_k|, the room along k, its rank (docs/design/primitives.md) */
+
+/* Whether the ray starts on a facet of this one's group. */
+int sph_facet_own(const struct sph_ray *ray, const struct sph_facet_leaf *facet);
 
 /* Valid for every operand in range; dir = 0, a ray in the plane and an origin on it miss. A facet
  * of the group that the ray starts on misses; to a light also one that does not lie ahead of the

@@ -20,8 +20,10 @@ static inline void sph_vector_read(const uint32_t *line, int at, int w, int64_t 
 int sph_facet_visit(const struct sph_ray_query *query, const struct sph_facet_leaf *facet,
                     struct sph_hit *hit);
 
-/* Id and group of a facet's leaf line. */
+/* Id and group of a facet's leaf line; all of the line of a triangle, of a plane. */
 struct sph_facet_leaf sph_facet_head(const uint32_t *line, int kind);
+struct sph_facet_leaf sph_triangle_read(const struct sph_profile *p, const uint32_t *line);
+struct sph_facet_leaf sph_plane_read(const struct sph_profile *p, const uint32_t *line);
 
 /* The normal that a primitive record has in place of a centre: as sph_prim.normal. */
 void sph_stored_normal(const struct sph_profile *p, const uint32_t *prim, const int64_t guarded[3],

@@ -3,10 +3,15 @@
  */
 #include "prim/kinds.h"
 
+struct sph_facet_leaf sph_plane_read(const struct sph_profile *p, const uint32_t *line) {
+    struct sph_facet_leaf f = sph_facet_head(line, SPH_PLANE);
+    sph_vector_read(line, SPH_PLANE_P_X_LSB, p->w, f.v[0]);
+    sph_vector_read(line, SPH_PLANE_N_X_LSB, SPH_PLANE_N_X_BITS, f.v[1]);
+    return f;
+}
+
 static int test(const struct sph_ray_query *query, const uint32_t *record, struct sph_hit *hit) {
-    struct sph_facet_leaf f = sph_facet_head(record, SPH_PLANE);
-    sph_vector_read(record, SPH_PLANE_P_X_LSB, query->p->w, f.v[0]);
-    sph_vector_read(record, SPH_PLANE_N_X_LSB, SPH_PLANE_N_X_BITS, f.v[1]);
+    struct sph_facet_leaf f = sph_plane_read(query->p, record);
     return sph_facet_visit(query, &f, hit);
 }
 
@@ -31,4 +36,4 @@ static int validate(const struct sph_machine *m, uint32_t line, const uint32_t *
     return sph_validate_normal(id, prim, normal, err);
 }
 
-const struct sph_prim sph_prim_plane = {1, test, sph_stored_normal, validate};
+const struct sph_prim sph_prim_plane = {1, test, sph_stored_normal, validate, sph_plane_read};

@@ -11,6 +11,7 @@
 #include "machine/machine.h"
 #include "machine/records.h"
 #include "core/ray.h"
+#include "prim/facet.h"
 
 /* A ray on its way through leaf records, and what it has found. */
 struct sph_ray_query {
@@ -38,6 +39,8 @@ struct sph_prim {
      * both are of this kind. 0, or -1 with a message; line: of the leaf record, for messages. */
     int (*validate)(const struct sph_machine *m, uint32_t line, const uint32_t *record, uint32_t id,
                     const uint32_t *prim, struct sph_error *err);
+    /* The facet of a leaf record; null of a kind that has none. */
+    struct sph_facet_leaf (*facet)(const struct sph_profile *p, const uint32_t *record);
 };
 
 /* The operations of a kind, SPH_SPHERE and so on; of a number that no kind has: an error for each

@@ -51,4 +51,4 @@ static int validate(const struct sph_machine *m, uint32_t line, const uint32_t *
     return 0;
 }
 
-const struct sph_prim sph_prim_sphere = {0, test, normal, validate};
+const struct sph_prim sph_prim_sphere = {0, test, normal, validate, NULL};

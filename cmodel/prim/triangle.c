@@ -8,10 +8,15 @@
 static const int corner_lsb[3] = {SPH_TRIANGLE_V0_X_LSB, SPH_TRIANGLE_V1_X_LSB,
                                   SPH_TRIANGLE_V2_X_LSB};
 
-static int test(const struct sph_ray_query *query, const uint32_t *record, struct sph_hit *hit) {
-    struct sph_facet_leaf f = sph_facet_head(record, SPH_TRIANGLE);
+struct sph_facet_leaf sph_triangle_read(const struct sph_profile *p, const uint32_t *line) {
+    struct sph_facet_leaf f = sph_facet_head(line, SPH_TRIANGLE);
     for (int i = 0; i < 3; i++)
-        sph_vector_read(record, corner_lsb[i], query->p->w, f.v[i]);
+        sph_vector_read(line, corner_lsb[i], p->w, f.v[i]);
+    return f;
+}
+
+static int test(const struct sph_ray_query *query, const uint32_t *record, struct sph_hit *hit) {
+    struct sph_facet_leaf f = sph_triangle_read(query->p, record);
     return sph_facet_visit(query, &f, hit);
 }
 
@@ -63,4 +68,4 @@ static int validate(const struct sph_machine *m, uint32_t line, const uint32_t *
     return sph_validate_normal(id, prim, normal, err);
 }
 
-const struct sph_prim sph_prim_triangle = {1, test, sph_stored_normal, validate};
+const struct sph_prim sph_prim_triangle = {1, test, sph_stored_normal, validate, sph_triangle_read};

@@ -19,7 +19,7 @@ static const struct {
     {"background", tool_background}, {"texels", tool_texels}, {"accuracy", tool_accuracy},
     {"reference", tool_reference},   {"export", tool_export}, {"operations", tool_operations},
     {"load", tool_load_board},       {"view", tool_view},     {"movie", tool_movie},
-    {"trees", tool_trees},           {"price", tool_price},
+    {"trees", tool_trees},           {"price", tool_price},   {"floats", tool_floats},
 };
 enum { N_COMMANDS = sizeof commands / sizeof *commands };
 
@@ -40,6 +40,7 @@ static const char doc[] =
     "  reference    the double reference alone: picture, frame file\n"
     "  export   scene file for POV-Ray\n"
     "  operations   arithmetic of the test of ray and sphere, as four texts have it\n"
+    "  floats   the tests of a scene's rays in float32 and float64: what these get wrong\n"
     "  trees    kinds of trees, compared by what the rays of a scene do in them\n"
     "  load     a machine file to a board\n"
     "  view     the golden model's picture in a window, in which one moves\n"

@@ -81,30 +81,32 @@ static int build_frame(struct run *run, uint32_t frame, struct tool_built *built
     built->from_scene = 1;
     built->skipped = moved.n_skipped;
     int rc = sph_build(&moved, &run->options, &built->machine, &built->report, err);
-    if (!rc && run->options.numbers) /* what it is built for is to find out what is met */
+    if (!rc && run->options.numbers) { /* what it is built for is to find out what is met */
         rc = sph_census_add(&run->met, &moved, &run->options, &built->machine, &built->report, err);
+        if (rc) sph_machine_free(&built->machine);
+    }
     sph_scene_at_free(&moved);
     return rc;
 }
 
-/* Finds out what the rays of all frames do not meet. */
+/* Finds out what the rays of all frames do not meet, up to one that cannot be built: those before
+ * it are written all the same. */
 static int census(struct run *run, const struct tool_frames *frames, struct sph_error *err) {
     const struct sph_build_options options = run->options;
     size_t n = (size_t)run->rest.n_spheres + run->rest.n_facets + 1;
-    int rc = 0;
     run->options.numbers = calloc(n, sizeof *run->options.numbers);
     if (!run->options.numbers) return sph_fail(err, "%s: no memory", run->rest.path);
-    for (uint32_t frame = frames->first; !rc && frame <= frames->last; frame++) {
+    for (uint32_t frame = frames->first; frame <= frames->last && !run->met.kept; frame++) {
         struct tool_built built;
-        rc = build_frame(run, frame, &built, err);
-        if (!rc) sph_machine_free(&built.machine);
+        if (build_frame(run, frame, &built, err)) break;
+        sph_machine_free(&built.machine);
         run->options.later = 1;
-        if (run->met.kept) break;
     }
+    err->text[0] = 0;
     free(run->options.numbers);
     run->options = options;
-    if (!rc) run->options.unmet = sph_census_unmet(&run->met, &run->rest, &run->options);
-    return rc;
+    if (run->met.prims) run->options.unmet = sph_census_unmet(&run->met, &run->rest, &run->options);
+    return 0;
 }
 
 /* The finer of the profiles that the first and the last frame ask for: one core draws them all. */

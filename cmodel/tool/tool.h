@@ -30,6 +30,7 @@ int tool_reference(int argc, char **argv);
 int tool_export(int argc, char **argv);
 int tool_operations(int argc, char **argv);
 int tool_trees(int argc, char **argv);
+int tool_floats(int argc, char **argv);
 int tool_price(int argc, char **argv);
 int tool_load_board(int argc, char **argv);
 int tool_view(int argc, char **argv);

@@ -8,6 +8,7 @@
 
 #include "common/parallel.h"
 #include "machine/parts.h"
+#include "scene/rng.h"
 #include "trial/draw.h"
 
 enum { SIDE = 8 };               /* of a square */
@@ -78,9 +79,12 @@ static void loads(const struct sph_machine *m, const struct sph_core_sizes *s, c
     USE later = rays_reflected + rays_refracted, rays = rays_primary + rays_shadow + later;
     USE vectors = rays_primary + later + quotients * (1 + N_LIGHTS);
     USE surfaces = later + w->seen, textured = texels / of_texture[m->regs[SPH_REG_TEX_FILTER]];
-#define LOAD(name, text, units, all) (double)(all) / (double)(ENGINES * (units)),
-    const double each[SPH_LOADS] = {SPH_EACH_LOAD(LOAD)};
-    memcpy(clocks, each, sizeof each);
+#define UNITS(name, text, units, all) ENGINES *(units),
+#define CLOCKS(name, text, units, all) all,
+    const int64_t many[SPH_LOADS] = {SPH_EACH_LOAD(UNITS)};
+    const int64_t together[SPH_LOADS] = {SPH_EACH_LOAD(CLOCKS)};
+    for (int l = 0; l < SPH_LOADS; l++)
+        clocks[l] = (double)together[l] / (double)many[l];
 }
 
 /* ---- the window ---- */
@@ -115,9 +119,11 @@ static void draw_part(void *user, uint32_t first, uint32_t end) {
         struct work w = {{{0}}, 0};
         double clocks[SPH_LOADS];
         int most = 0;
-        /* the middle one of each run, of the last run one that is there */
-        uint32_t square = i * j->step + j->step / 2;
-        mine.drawn += draw_square(j, square < j->all ? square : j->all - 1, &w);
+        /* one of each run, where a random number has it: none behind the last */
+        struct sph_rng rng = {i};
+        uint32_t square = i * j->step + (uint32_t)(sph_rng_next(&rng) % j->step);
+        if (square >= j->all) continue;
+        mine.drawn += draw_square(j, square, &w);
         loads(j->drawer.machine, j->sizes, &w, clocks);
         for (int l = 1; l < SPH_LOADS; l++)
             if (clocks[l] > clocks[most]) most = l;
@@ -143,10 +149,9 @@ struct sph_cycles sph_cycles_expect(const struct sph_machine *m, const struct sp
     struct job j = {.sizes = sizes, .drawer = sph_drawer_begin(m), .step = 1, .sum = &c};
     j.across = (width + SIDE - 1) / SIDE;
     j.all = (uint32_t)j.across * (uint32_t)((height + SIDE - 1) / SIDE);
-    if (most) j.step = (j.all * SIDE * SIDE + most - 1) / most;
-    if (j.step > j.all) j.step = j.all;
+    if (most) j.step = (uint32_t)min(j.all, ((int64_t)j.all * SIDE * SIDE - 1) / most + 1);
     int before = sph_parallel_most(threads);
-    sph_parallel_for((j.all + j.step - 1) / j.step, SQUARES, draw_part, &j);
+    sph_parallel_for((j.all - 1) / j.step + 1, SQUARES, draw_part, &j);
     sph_parallel_most(before);
     sph_drawer_end(&j.drawer);
     c.pixel = REST * c.frame / (double)c.drawn;

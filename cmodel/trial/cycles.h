@@ -37,7 +37,7 @@ struct sph_cycles {
 };
 
 /* Of a core that has all that the machine asks for, and no more. most: about so many pixels of the
- * window are drawn, squares that lie evenly in it; 0: all. threads: 0: all. */
+ * window are drawn, a square of each of as many runs of them; 0: all. threads: 0: all. */
 struct sph_cycles sph_cycles_expect(const struct sph_machine *m, const struct sph_core_sizes *sizes,
                                     uint32_t most, int threads);
 

@@ -162,19 +162,22 @@ static int fits(const struct sph_grid *grid, const struct sph_scene *scene, uint
 }
 
 /* Marks in drop[] the primitives that no ray meets and without which the grid of w bits is finer or
- * no facet is left. How many; -1: no memory. */
+ * no facet is left. Where there is a plane a wide grid is worth more: it ends where the grid does.
+ * How many; -1: no memory. */
 static int64_t choose_drops(const struct sph_census *c, const struct sph_scene *scene, int w,
                             int axes, uint8_t *drop) {
     struct sph_scene rest;
     struct sph_grid all, less;
-    uint32_t facets = 0;
+    uint32_t facets = 0, planes = 0;
     int64_t n = 0;
     for (uint32_t i = 0; i < c->n; i++) {
+        const struct sph_facet *f = facet_of(scene, i);
         drop[i] = !(c->prims[i] & (c->lit | SPH_MET_SHADED));
-        facets += i >= scene->n_spheres && !drop[i];
+        facets += f && !drop[i];
+        planes += f && !drop[i] && sph_kind_unbounded((uint32_t)f->kind);
     }
     int rc = without(scene, drop, &rest);
-    int finer = !rc && !sph_grid_fit(scene, w, axes, &all, NULL) &&
+    int finer = !rc && !planes && !sph_grid_fit(scene, w, axes, &all, NULL) &&
                 !sph_grid_fit(&rest, w, axes, &less, NULL) && less.log2 < all.log2;
     for (uint32_t i = 0; i < c->n; i++) {
         int spared = i >= scene->n_spheres && !facets;

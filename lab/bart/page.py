@@ -3,8 +3,10 @@
 """FOLDER has what runs.py says, a SCENE is NAME:MIDDLE:FRAME,FRAME...."""
 from functools import lru_cache, partial
 
+from sim import definition
+
 from ..pages.place import place
-from ..report.units import LINE, facet, parameters
+from ..report.units import LINE, parameters
 from ..synth import report
 from ..textures.page import DECISIONS, LINES, OPERATIONS, PAPER, WAYS, Data, area, levels, show
 
@@ -63,12 +65,14 @@ def walk(count, pipes=1):
 
 def tests(count, pipes=1):
     """The same for tests of triangles in its leaf units."""
-    return count["facet_tests"] * facet(core(pipes), WIDE) / core(pipes)["LEAF_UNITS"]
+    clocks = definition.value(definition.Definition().rates["FACET_CLOCKS"],
+                              core(pipes) | {"W": WIDE})
+    return count["facet_tests"] * clocks / core(pipes)["LEAF_COUNT"]
 
 
 def texels(count, pipes=1):
     """The same for texels in its shading units."""
-    return count.get("texels", 0) * TEXEL / core(pipes)["SHADES"]
+    return count.get("texels", 0) * TEXEL / core(pipes)["SHADE_UNITS"]
 
 
 def least(count, pipes=1):

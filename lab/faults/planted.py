@@ -360,7 +360,7 @@ class Planting:
         return shutil.which("cbmc") or os.path.abspath(f"{self.shop.build}/cbmc/usr/bin/cbmc")
 
     def by_reset(self, judge):
-        tree = self.tree(judge, "rtl", "lab", "formal")
+        tree = self.tree(judge, "rtl", "lab", "sim", "formal")
         rc, text = self.shop.run(["env", "-C", tree, "python3", "-m", "lab", "reset", "build",
                                   *judge.words], self.say)
         if rc == 1 and re.search("^not ok.* is [x1] in clock", text, re.M):

@@ -33,6 +33,8 @@ class Bundles:
     def __init__(self, machine):
         self.counters = {words[1]: int(words[0]) for kind, words in machine.rows
                          if kind == "counter"}
+        self.registers = {words[1] for kind, words in machine.rows if kind == "reg"}
+        self.held = {}      # {bundle: [(FIELD, register, how many, parameter or "1")]}
         self.fields, self.events, self.lines = {}, {}, Lines("rtl/engine/bundles.def")
         self.lines.each(self.take)
 
@@ -53,6 +55,11 @@ class Bundles:
         if width not in self.fields and not re.fullmatch("[0-9A-Z_+*()]+", width):
             self.lines.fail(f"no width: {width}")
         self.fields[bundle][name] = width
+        held = re.match(r"register (\w+)(?: x (\d+))?(?: if (\w+))?\b", " ".join(more))
+        if held:
+            if held[1] not in self.registers:
+                self.lines.fail(f"no register of machine.def: {held[1]}")
+            self.held.setdefault(bundle, []).append((name, held[1], held[2] or 1, held[3] or 1))
         if more[:1] == ["counter"]:    # NAME [if PARAMETER]
             counter, *when = [word.removesuffix(":") for word in more[1:4]]
             if counter not in self.counters:
@@ -95,6 +102,9 @@ class Bundles:
                     f"{width} +: {own}" if lang == "v" else f"({width}), ({own})"
                 width.add(own)
             yield f"{bundle.upper()}_BITS", f"({width})"
+            if lang == "c" and bundle in self.held:
+                yield f"{bundle.upper()}_EACH(X)", "".join(
+                    f" \\\n    X({', '.join(map(str, row))})" for row in self.held[bundle])
             if lang == "v" and self.events[bundle]:
                 yield f"{bundle.upper()}_ADDS", "".join(self.adds(bundle))
         if lang == "v":
@@ -108,7 +118,8 @@ class Bundles:
             head += ["`ifndef RT_BUNDLES_VH", "`define RT_BUNDLES_VH", '`include "rt_layout.vh"']
         else:
             head = c_head("bundles.h", FROM, "The arguments low bit, bits of bench::put() and "
-                          "bench::get() for each field.")
+                          "bench::get() for each field;",
+                          "X(field, register, how many, with what they are built) of registers.")
             head += ["#ifndef SPH_BUNDLES_H", "#define SPH_BUNDLES_H",
                      '#include "machine/layout.h"']
         mark = "`" if lang == "v" else "#"

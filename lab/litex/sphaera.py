@@ -10,6 +10,7 @@ from litex.soc.interconnect.csr_eventmanager import EventManager, EventSourceLev
 from migen import Cat, Constant, Instance
 
 DATA = 64  # bits of the masters
+READERS = 5  # bits of the IDs of scene reads
 PAYLOAD = {"aw": ("addr", "len", "size", "burst"), "ar": ("addr", "len", "size", "burst"),
            "w": ("data", "strb", "last"), "r": ("data", "resp", "last"), "b": ("resp",)}
 LITE = {"aw": ("addr",), "w": ("data", "strb"), "b": ("resp",), "ar": ("addr",),
@@ -53,11 +54,13 @@ class Sphaera(LiteXModule):
         memory = {}
         for name, channels in (("scene", ("ar", "r")), ("frame", ("aw", "w", "b")),
                                ("scan", ("ar", "r"))):
-            bus = LiteDRAMAXIPort(DATA, address_width=32, id_width=1)
+            bus = LiteDRAMAXIPort(DATA, address_width=32, id_width=READERS)
             port = soc.sdram.crossbar.get_port(data_width=DATA)
             self.add_module(f"{name}_port", LiteDRAMAXI2Native(
                 bus, port, base_address=soc.bus.regions["main_ram"].origin))
             memory.update(wires(f"m_{name}", bus, channels, True, PAYLOAD))
+            if name == "scene":
+                memory.update(o_m_scene_arid=bus.ar.id, i_m_scene_rid=bus.r.id)
         symbols = [Signal(10, name=f"tmds{i}") for i in range(3)]
         self.specials += Instance(
             "rt_top", **{f"p_{name}": integer(value) for name, value in core.items()},

@@ -19,7 +19,7 @@ from ..synth import results
 from . import markdown, measured, verilog
 
 RECORD = Path("docs/results/data/cores.json")
-SCRIPT = Path("synth/core.sh")
+SCRIPT = Path("synth/target.sh")
 BUDGET = Path("synth/budget.txt")
 BUILD = Path(os.environ.get("BUILD", "build"))
 COLUMNS = {"mult": "MULT18X18D", "lut4eq": "LUT4eq", "ff": "FF", "bram": "DP16KD",

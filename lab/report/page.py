@@ -168,7 +168,7 @@ def costs(run):
     table = json.loads(name.read_text("utf-8"))["price"]
     return ("<h2>What accuracy costs in time</h2>" + price.rows(table)
             + f'<p class="soft">{text(table["says"])}. Clocks by the work of the model; '
-            "<code>make price</code> has more.</p>")
+            "<code>make case</code> has more.</p>")
 
 
 def page(run):
@@ -176,6 +176,8 @@ def page(run):
     repeat = run.folder / "command"
     body = head(run) + wrong.section(run, at) + pictures(run, at) + maps(run, drawn) + cycles(run) \
         + roof(run) + costs(run) + counters(run) + machine_words(run) + effects(run)
+    if (run.folder / "case.html").exists():
+        body += '<p><a href="case.html">The case of this scene</a></p>'
     if repeat.exists():
         body += "<h2>Again</h2>" + html.command("again", repeat.read_text("utf-8").strip())
     return html.whole(f"{run.report['scene']}, {run.report['profile']}: model and RTL", body)

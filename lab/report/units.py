@@ -16,7 +16,6 @@ import definition   # pylint: disable=wrong-import-position
 
 Unit = namedtuple("Unit", "name clocks what")  # of an engine, or of the one memory port
 
-BEATS = 4       # of a line
 LINE = 32       # its bytes
 TEXELS = 8      # of a textured hit, at most
 
@@ -92,5 +91,6 @@ def least(count, machine, core):
             found.append(Unit(name, clocks / core["ENGINES"] / many,
                               f"{many} an engine" if many > 1 else ""))
     if lines:
-        found.append(Unit("memory port", lines * BEATS, f"{lines} lines of {BEATS} beats"))
+        beats = 8 * LINE // core["MEM_DATA"]
+        found.append(Unit("memory port", lines * beats, f"{lines} lines of {beats} beats"))
     return sorted(found, key=lambda unit: -unit.clocks)

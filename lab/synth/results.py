@@ -100,11 +100,12 @@ def key(profile, cores, target="ecp5", engines="1", root="2", quotient="2"):
     return ran.stdout.strip() if ran.returncode == 0 else sys.exit(1)
 
 
-def synthesise(build, lists):
-    """Cores of profile standard for ecp5, as make/area.mk keeps them."""
+def synthesise(build, lists, **variables):
+    """Cores for ecp5, as make/area.mk keeps them; variables of it: PROFILES, PIPES..."""
     done = subprocess.run(
         ["make", "--no-print-directory", f"-j{tasks.jobs()}", "-f", "make/area.mk", "results",
-         f"B={build}", f"V={os.environ.get('V') or 0}", f"EFFECTS={' '.join(lists)}"],
+         f"B={build}", f"V={os.environ.get('V') or 0}", f"EFFECTS={' '.join(lists)}",
+         *(f"{name}={value}" for name, value in variables.items())],
         env=tasks.clean(), check=False)
     if done.returncode:
         sys.exit(done.returncode)

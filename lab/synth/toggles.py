@@ -4,8 +4,8 @@
 while the core is busy and in 1000 clocks behind the frame: nets that change, those inside of
 multipliers as if these were rows of adders; flip-flops whose enable is high; ports of block RAM
 that are enabled. No delays, so no glitches; no wires, so no joules: a figure says how two states of
-the sources compare. --record puts the row into docs/results/data/speed_and_area.toggles.tsv, in the place of one
-of the same core, frame and commit."""
+the sources compare. --record puts the row into the table toggles of docs/results/data, in the place
+of one of the same core, frame and commit."""
 import os
 import re
 import subprocess

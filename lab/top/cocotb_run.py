@@ -1,4 +1,4 @@
-# cocotb_run.py - builds rt_top with IDs on its buses in Icarus and runs the tests of cocotb_top.py
+# cocotb_run.py - builds rt_top with IDs on both buses in Icarus and runs the tests of cocotb_top.py
 # SPDX-License-Identifier: Apache-2.0
 """NAME=VALUE: parameters of the core. Exits with 1 if a test fails."""
 import re
@@ -9,18 +9,18 @@ from cocotb_tools.runner import get_runner
 
 BUSES = r"clk|rst|irq_o|s_axil_\w+|m_scene_\w+|m_frame_\w+"   # no display, nobody reads frames
 # what cocotbext-axi asks for besides, always 0
-IDS = {"m_scene_arid": "output", "m_scene_rid": "input", "m_frame_awid": "output",
-       "m_frame_bid": "input"}
+IDS = {"m_frame_awid": "output", "m_frame_bid": "input"}
 WRAPPER = """\
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
 module cocotb_top #(
-    parameter DATA = 64
+    parameter DATA = 64,
+    parameter MEM_DATA = 64
 ) (
 {ports}
 );
-    assign {{m_scene_arid, m_frame_awid}} = 2'b00;
+    assign m_frame_awid = 1'b0;
     rt_top #({parameters}) u_top (
 {connections}
     );
@@ -49,12 +49,13 @@ def main(folder, machine, frame, data, *parameters):
     runner = get_runner("icarus")
     top = Path(folder, "cocotb_top.v")
     top.parent.mkdir(parents=True, exist_ok=True)
-    top.write_text(wrapper([("DATA", "DATA"), *(word.split("=") for word in parameters)]),
-                   encoding="utf-8")
+    top.write_text(wrapper([("DATA", "DATA"), ("MEM_DATA", "MEM_DATA"),
+                            *(word.split("=") for word in parameters)]), encoding="utf-8")
     runner.build(sources=[*sources, top], hdl_toplevel="cocotb_top",
                  includes=sorted({path.parent for path in Path("rtl").rglob("*.vh")}),
                  build_args=["-g2005"],
-                 parameters={"DATA": data}, build_dir=folder, always=True)
+                 parameters={"DATA": min(int(data), 128), "MEM_DATA": data}, build_dir=folder,
+                 always=True)
     results = runner.test(test_module="lab.top.cocotb_top", hdl_toplevel="cocotb_top",
                           build_dir=folder, test_dir=folder, extra_env={
                               "MACHINE": str(Path(machine).resolve()),

@@ -29,15 +29,41 @@ REGISTERS = registers()
 
 
 class Reads(AxiSlaveRead):
-    """Memory; the answers whose numbers are in `bad` are errors."""
+    """Memory that answers in any order of IDs, and alternates their beats; the answers whose
+    numbers are in `bad` are errors. So many bursts wait before it answers one."""
     bad = ()
     answers = 0
+    WAITING = 4
+    overtakes = alternates = 0  # beats of a burst with older ones before it; of another than before
 
-    async def _read(self, address, length, **_):
-        self.answers += 1
-        if self.answers in self.bad:
-            raise IOError
-        return bytes(self.target[address:address + length])
+    async def _process_read(self):
+        bursts, before = [], None
+        while True:
+            patience = 20  # clocks, if there are not so many
+            while len(bursts) < self.WAITING and (patience or not bursts):
+                if self.ar_channel.empty():
+                    patience = max(patience - 1, 0)
+                    await RisingEdge(self.clock)
+                else:
+                    ar = await self.ar_channel.recv()
+                    bursts.append([int(ar.arid), int(ar.araddr), int(ar.arlen) + 1])
+            firsts = {}  # of each ID
+            for burst in bursts:
+                firsts.setdefault(burst[0], burst)
+            burst = random.choice(list(firsts.values()))
+            self.overtakes += burst is not bursts[0]
+            self.alternates += before in bursts and burst is not before
+            before = burst
+            r = self.r_channel._transaction_obj()
+            self.answers += 1
+            wrong = self.answers in self.bad
+            r.rid, r.rlast = burst[0], burst[2] == 1
+            r.rresp = AxiResp.SLVERR if wrong else AxiResp.OKAY
+            r.rdata = int.from_bytes(self.target[burst[1]:burst[1] + self.byte_lanes], "little")
+            burst[1:] = burst[1] + self.byte_lanes, burst[2] - 1
+            if not burst[2]:
+                bursts.remove(burst)
+            await self.r_channel.send(r)
 
 
 class Writes(AxiSlaveWrite):
@@ -172,8 +198,9 @@ async def frame(dut):
         await bench.put("FORMAT", half)
         assert await bench.draw() == 0
         await bench.compare(half)
-    beat = len(dut.m_frame_wdata) // 8
-    assert bench.lengths == {"scene_ar": {32 // beat}, "frame_aw": {32 // beat, 16 // beat}}
+    scene, store = len(dut.m_scene_rdata) // 8, len(dut.m_frame_wdata) // 8
+    assert bench.lengths == {"scene_ar": {32 // scene}, "frame_aw": {32 // store, 16 // store}}
+    assert bench.reads.overtakes and (scene == 32 or bench.reads.alternates)
 
 
 @cocotb.test()

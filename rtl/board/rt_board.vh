@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 `ifndef RT_BOARD_VH
 `define RT_BOARD_VH
-`define RT_BOARD_CORE .DATA(64), .VIDEO(1), \
+// lines of a scene on their way; memory answers them in their order
+`define RT_BOARD_PENDING 16
+`define RT_BOARD_CORE .DATA(64), .VIDEO(1), .MEM_PENDING(`RT_BOARD_PENDING), \
     .SHADOW(1), .REFLECT(2), .LIGHTS(1), .INSIDE(1), .FIRST(0), .INTERPENETRATE(0), .FACETS(0), \
     .TEXTURE(0), .REFRACT(0), .SPECULAR(0), .SUM(0), .COARSE(0), .RECT(1), .SPANS(0), .CONES(0), \
     .ACCEL(0)

@@ -8,6 +8,7 @@
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_board.vh"
+`include "rt_layout.vh"
 module rt_ulx3s_ram #(
     parameter REGISTERS   = "",           // file of the writes to registers
     parameter SCENE       = "",           // file of the machine's memory
@@ -56,6 +57,7 @@ module rt_ulx3s_ram #(
     wire        sc_arvalid, sc_arready, sc_rvalid, sc_rready, sc_rlast, sc_en;
     wire [31:0] sc_araddr;
     wire [7:0]  sc_arlen;
+    wire [`RT_TAG_BITS-1:0] sc_arid, sc_rid;
     wire [AB-1:0] sc_addr;
     wire [63:0] sc_data;
     rt_ram_reads #(.AB(AB)) u_scene_reads (
@@ -65,6 +67,12 @@ module rt_ulx3s_ram #(
     );
     rt_rom #(.WORDS(SCENE_WORDS), .FILE(SCENE)) u_scene (
         .clk(clk), .en_i(sc_en), .addr_i(sc_addr), .data_o(sc_data)
+    );
+    wire        sc_ids_room, sc_ids_there; // always, and with every answer
+    rt_fifo #(.WIDTH(`RT_TAG_BITS), .DEPTH(`RT_BOARD_PENDING)) u_scene_ids (
+        .clk(clk), .rst(rst), .in_valid_i(sc_arvalid && sc_arready), .in_ready_o(sc_ids_room),
+        .in_data_i(sc_arid), .out_valid_o(sc_ids_there),
+        .out_ready_i(sc_rvalid && sc_rready && sc_rlast), .out_data_o(sc_rid)
     );
 
     // ---- frame store ----
@@ -112,9 +120,10 @@ module rt_ulx3s_ram #(
         .s_axil_bresp(no_bresp), .s_axil_arvalid(1'b0), .s_axil_arready(no_arready),
         .s_axil_araddr(12'd0), .s_axil_rvalid(no_rvalid), .s_axil_rready(1'b0),
         .s_axil_rdata(no_rdata), .s_axil_rresp(no_rresp), .m_scene_arvalid(sc_arvalid),
-        .m_scene_arready(sc_arready), .m_scene_araddr(sc_araddr), .m_scene_arlen(sc_arlen),
-        .m_scene_arsize(no_scene_arsize), .m_scene_arburst(no_scene_arburst),
-        .m_scene_rvalid(sc_rvalid), .m_scene_rready(sc_rready), .m_scene_rdata(sc_data),
+        .m_scene_arready(sc_arready), .m_scene_arid(sc_arid), .m_scene_araddr(sc_araddr),
+        .m_scene_arlen(sc_arlen), .m_scene_arsize(no_scene_arsize),
+        .m_scene_arburst(no_scene_arburst), .m_scene_rvalid(sc_rvalid),
+        .m_scene_rready(sc_rready), .m_scene_rid(sc_rid), .m_scene_rdata(sc_data),
         .m_scene_rresp(2'd0), .m_scene_rlast(sc_rlast), .m_frame_awvalid(fr_awvalid),
         .m_frame_awready(fr_awready), .m_frame_awaddr(fr_awaddr), .m_frame_awlen(no_frame_awlen),
         .m_frame_awsize(no_frame_awsize), .m_frame_awburst(no_frame_awburst),
@@ -142,6 +151,6 @@ module rt_ulx3s_ram #(
                     no_video_tuser, no_video_tlast, no_de, no_hsync, no_vsync, no_bresp, no_rresp,
                     no_scene_arburst, no_frame_awburst, no_scan_arburst, no_scene_arsize,
                     no_frame_awsize, no_scan_arsize, no_frame_awlen, no_video_tdata, no_rdata,
-                    no_show_base};
+                    no_show_base, sc_ids_room, sc_ids_there};
 endmodule
 `default_nettype wire

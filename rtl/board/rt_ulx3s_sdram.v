@@ -9,6 +9,7 @@
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_board.vh"
+`include "rt_layout.vh"
 module rt_ulx3s_sdram #(
     parameter DIV   = 25,                 // clocks a bit of the UART: 1 Mbit/s
     parameter STILL = 18,                 // log2 of the clocks between two looks at a button
@@ -84,6 +85,13 @@ module rt_ulx3s_sdram #(
         .clk(mem_clk), .clk_o(sdram_clk_o), .dq_io(sdram_dq_io), .dq_i(dq_out), .dq_oe_i(dq_oe),
         .dq_o(dq_in)
     );
+    wire [`RT_TAG_BITS-1:0] scene_arid, scene_rid;
+    wire        ids_room, ids_there;      // always, and with every answer
+    rt_fifo #(.WIDTH(`RT_TAG_BITS), .DEPTH(`RT_BOARD_PENDING)) u_scene_ids (
+        .clk(clk), .rst(rst), .in_valid_i(m_arvalid[1] && m_arready[1]), .in_ready_o(ids_room),
+        .in_data_i(scene_arid), .out_valid_o(ids_there),
+        .out_ready_i(m_rvalid[1] && m_rready[1] && m_rlast[1]), .out_data_o(scene_rid)
+    );
 
     // ---- UART, buttons ----
     assign m_bready[1] = 1'b1;
@@ -124,11 +132,11 @@ module rt_ulx3s_sdram #(
         .s_axil_bresp(bresp), .s_axil_arvalid(arvalid), .s_axil_arready(arready),
         .s_axil_araddr(araddr), .s_axil_rvalid(rvalid), .s_axil_rready(1'b1),
         .s_axil_rdata(rdata), .s_axil_rresp(rresp), .m_scene_arvalid(m_arvalid[1]),
-        .m_scene_arready(m_arready[1]), .m_scene_araddr(scene_araddr),
+        .m_scene_arready(m_arready[1]), .m_scene_arid(scene_arid), .m_scene_araddr(scene_araddr),
         .m_scene_arlen(scene_arlen), .m_scene_arsize(no_scene_arsize),
         .m_scene_arburst(no_scene_arburst), .m_scene_rvalid(m_rvalid[1]),
-        .m_scene_rready(m_rready[1]), .m_scene_rdata(m_rdata[127:64]), .m_scene_rresp(2'd0),
-        .m_scene_rlast(m_rlast[1]), .m_frame_awvalid(m_awvalid[0]),
+        .m_scene_rready(m_rready[1]), .m_scene_rid(scene_rid), .m_scene_rdata(m_rdata[127:64]),
+        .m_scene_rresp(2'd0), .m_scene_rlast(m_rlast[1]), .m_frame_awvalid(m_awvalid[0]),
         .m_frame_awready(m_awready[0]), .m_frame_awaddr(frame_awaddr),
         .m_frame_awlen(no_frame_awlen), .m_frame_awsize(no_frame_awsize),
         .m_frame_awburst(no_frame_awburst), .m_frame_wvalid(m_wvalid[0]),
@@ -155,6 +163,7 @@ module rt_ulx3s_sdram #(
     wire unused = &{1'b0, btn_i, number, m_rlast[2], no_video_tvalid, no_video_tuser,
                     no_video_tlast, no_de, no_hsync, no_vsync, no_scene_arburst,
                     no_frame_awburst, no_scan_arburst, no_scene_arsize, no_frame_awsize,
-                    no_scan_arsize, no_frame_awlen, no_video_tdata, no_show_base};
+                    no_scan_arsize, no_frame_awlen, no_video_tdata, no_show_base, ids_room,
+                    ids_there};
 endmodule
 `default_nettype wire

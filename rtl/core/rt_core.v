@@ -22,13 +22,16 @@ module rt_core #(
     input  wire              keep_cache_i,     // with start_i: memory did not change, caches stay
     output wire              busy_o,           // until the last pixel has left and counters stand
     output wire              active_o,         // 0: clk may stand still in this cycle
-    // memory: 256-bit lines, asked for by number; four beats each, low bits first, in order
+    // memory: 256-bit lines, asked for by number; beats of MEM_DATA, low bits first; lines of a tag
+    // in order, several tags in any, their beats too
     output wire              mem_req_valid_o,
     input  wire              mem_req_ready_i,
     output wire [`RT_LINE_BITS-1:0] mem_req_line_o,
+    output wire [`RT_TAG_BITS-1:0] mem_req_tag_o,
     input  wire              mem_rsp_valid_i,
     output wire              mem_rsp_ready_o,
-    input  wire [63:0]       mem_rsp_data_i,
+    input  wire [`RT_TAG_BITS-1:0] mem_rsp_tag_i,
+    input  wire [MEM_DATA-1:0] mem_rsp_data_i,
     input  wire              mem_rsp_error_i,
     // finished pixels, in any order
     output wire              pix_valid_o,
@@ -129,7 +132,6 @@ module rt_core #(
                               : BOXES != 0 || W < 18 ? 2 : 4;
     localparam ROOT_UNITS = ROOTS != 0 ? ROOTS : PIPES > 1 ? 6 : 3;
     // Beside others a pipe sees fewer neighbours; block RAM has the room in any case.
-    localparam NODE_UNIT = PIPES > 1 ? 2*NODE_LINES : NODE_LINES;
     localparam LEAF_UNIT = PIPES > 1 ? 4*LEAF_LINES : LEAF_LINES;
     localparam ALL_SLOTS = SLOTS << $clog2(PIPES);
 
@@ -150,16 +152,17 @@ module rt_core #(
             wire unused = &{1'b0, m_req_valid, m_rsp_ready, m_req_line};
         end
     endgenerate
-    rt_mem_arbiter #(.CLIENTS(READERS)) u_arbiter (
+    rt_mem_arbiter #(.CLIENTS(READERS), .PENDING(LINES_COMING), .DATA(MEM_DATA)) u_arbiter (
         .clk(clk), .rst(rst),
         .req_valid_i(m_req_valid[READERS-1:0]), .req_ready_o(m_req_ready[READERS-1:0]),
         .req_line_i(m_req_line[LB*READERS-1:0]),
         .rsp_valid_o(m_rsp_valid[READERS-1:0]), .rsp_ready_i(m_rsp_ready[READERS-1:0]),
         .rsp_data_o(m_rsp_data), .rsp_error_o(m_rsp_error),
         .mem_req_valid_o(mem_req_valid_o), .mem_req_ready_i(mem_req_ready_i),
-        .mem_req_line_o(mem_req_line_o),
+        .mem_req_line_o(mem_req_line_o), .mem_req_tag_o(mem_req_tag_o),
         .mem_rsp_valid_i(mem_rsp_valid_i), .mem_rsp_ready_o(mem_rsp_ready_o),
-        .mem_rsp_data_i(mem_rsp_data_i), .mem_rsp_error_i(mem_rsp_error_i)
+        .mem_rsp_tag_i(mem_rsp_tag_i), .mem_rsp_data_i(mem_rsp_data_i),
+        .mem_rsp_error_i(mem_rsp_error_i)
     );
 
     // ---- pixels of the window ----
@@ -186,8 +189,8 @@ module rt_core #(
     reg              mux_valid_q;                    // a pixel is at the port
     wire             mux_ready = !mux_valid_q || pix_ready_i;
     wire             working = walk_busy || e_busy != 0 || mux_valid_q;
-    localparam SB = $clog2(PLACES + 5);
-    localparam [31:0] WAIT = PLACES + 4;
+    localparam SB = $clog2(PLACES + 6);
+    localparam [31:0] WAIT = PLACES + 5;
     reg [SB-1:0]     settle_q;                       // cycles until the counters are complete
     assign busy_o = working || settle_q != {SB{1'b0}} || start_q || start_two_q;
     always @(posedge clk) begin
@@ -228,7 +231,7 @@ module rt_core #(
                 .ACCEL(BOXES != 0 ? 2 : ACCEL), .PIPES(PIPES),
                 .LEAF_UNITS(LEAF_COUNT), .SHADES(SHADE_UNITS), .SETUPS(SETUP_UNITS),
                 .SLOTS(ALL_SLOTS), .SQUARES(LUT_SQUARES), .LUTS(SPARE_LUTS),
-                .STACK(`RT_STACK_DEPTH), .NODE_LINES(NODE_UNIT), .LEAF_LINES(LEAF_UNIT),
+                .STACK(`RT_STACK_DEPTH), .NODE_LINES(NODE_LINES), .LEAF_LINES(LEAF_UNIT),
                 .ROOTS(ROOT_UNITS), .DIVISIONS(KEY_UNITS),
                 .ROOT_STEP(ROOT_STEP), .DIVISION_STEP(DIVISION_STEP), .LEAF_INTERVAL(LEAF_INTERVAL),
                 .FACET_INTERVAL(FACET_CLOCKS), .UNITS(UNITS), .UNIT_INTERVAL(UNIT_INTERVAL)

@@ -16,7 +16,9 @@
     parameter SETUPS     = 0,    // 0..2: set-up units an engine, 0: 2 for 4 pipes, else 1
     parameter WALKS      = 0,    // 0..2: walks of the window, 0: 1, for several pipes 2
     parameter SLOTS      = 64,   // 4..1024, power of two: rays in flight a pipe
-    parameter NODE_LINES = 256,  // 8..4096, power of two: node cache, lines; twice if PIPES > 1
+    parameter MEM_DATA   = 64,   // 64..256, power of two: bits of a beat of memory; a line has 256
+    parameter MEM_PENDING = 0,   // 0..256, power of two: lines on their way from 16 on, 0: MEM_DATA
+    parameter NODE_LINES = 512,  // 8..4096, power of two: node cache of a pipe, lines
     parameter LEAF_LINES = 128,  // 8..4096, power of two: leaf cache, lines; 4 times if PIPES > 1
     parameter TEXTURE_LINES = 128, // 8..4096, power of two: lines of a shading unit's texture cache
     parameter TEXTURE_WAYS = 4,  // 1..32, power of two: groups of a set of the texture cache

@@ -8,6 +8,7 @@
                              : PIPES>2 && SHADE_UNITS>1 ? 2:1;
     localparam SETUP_UNITS = SETUPS != 0 ? SETUPS : PIPES == 4 && LEAF_COUNT > 1 ? 2
                              : 1;
+    localparam LINES_COMING = MEM_PENDING != 0 ? MEM_PENDING : MEM_DATA;
     `RT_CHECK(W >= 8 && W <= 24, rt_core_W_must_be_8_to_24)
     `RT_CHECK(WD >= 9 && WD <= 31, rt_core_WD_must_be_9_to_31)
     `RT_CHECK(PQ >= 4 && PQ <= 32, rt_core_PQ_must_be_4_to_32)
@@ -53,6 +54,8 @@
     `RT_CHECK(SETUPS >= 0 && SETUPS <= 2, rt_core_SETUPS_must_be_0_to_2)
     `RT_CHECK(WALKS >= 0 && WALKS <= 2, rt_core_WALKS_must_be_0_to_2)
     `RT_CHECK(SLOTS >= 4 && SLOTS <= 1024 && (SLOTS & (SLOTS - 1)) == 0, rt_core_SLOTS_must_be_a_power_of_two_from_4_to_1024)
+    `RT_CHECK(MEM_DATA >= 64 && MEM_DATA <= 256 && (MEM_DATA & (MEM_DATA - 1)) == 0, rt_core_MEM_DATA_must_be_a_power_of_two_from_64_to_256)
+    `RT_CHECK(MEM_PENDING >= 0 && MEM_PENDING <= 256 && (MEM_PENDING & (MEM_PENDING - 1)) == 0, rt_core_MEM_PENDING_must_be_a_power_of_two_from_0_to_256)
     `RT_CHECK(NODE_LINES >= 8 && NODE_LINES <= 4096 && (NODE_LINES & (NODE_LINES - 1)) == 0, rt_core_NODE_LINES_must_be_a_power_of_two_from_8_to_4096)
     `RT_CHECK(LEAF_LINES >= 8 && LEAF_LINES <= 4096 && (LEAF_LINES & (LEAF_LINES - 1)) == 0, rt_core_LEAF_LINES_must_be_a_power_of_two_from_8_to_4096)
     `RT_CHECK(TEXTURE_LINES >= 8 && TEXTURE_LINES <= 4096 && (TEXTURE_LINES & (TEXTURE_LINES - 1)) == 0, rt_core_TEXTURE_LINES_must_be_a_power_of_two_from_8_to_4096)
@@ -86,5 +89,6 @@
     `RT_CHECK(SHADE_UNITS <= PIPES || (SHADE_UNITS == 4 && PIPES == 3), rt_core_SHADES_must_be_at_most_PIPES)
     `RT_CHECK(SHADE_UNITS == 1 || INTERPENETRATE == 0, rt_core_INTERPENETRATE_needs_SHADES_to_be_1)
     `RT_CHECK(TEXTURE == 0 || TEXTURE_LINES >= 2*TEXTURE_WAYS*TEXTURE_GROUP, rt_core_TEXTURE_LINES_must_be_2_sets)
+    `RT_CHECK(MEM_PENDING == 0 || MEM_PENDING >= 16, rt_core_MEM_PENDING_must_be_0_or_16_and_more)
     `RT_CHECK(HIT_INTERVAL == 8 || HIT_INTERVAL == 12, rt_core_HIT_INTERVAL_must_be_8_or_12)
     `RT_CHECK(BOUNCE_INTERVAL == 10 || BOUNCE_INTERVAL == 12, rt_core_BOUNCE_INTERVAL_must_be_10_or_12)

@@ -36,6 +36,7 @@
 `define RT_FILTER_FRACTION 1
 `define RT_LINE_WORDS 8
 `define RT_LINE_BITS 26
+`define RT_TAG_BITS 5
 `define RT_ID_BITS 24
 `define RT_RGB_BITS 24
 `define RT_VISITS_BITS 24

@@ -1,9 +1,9 @@
 // rt_async_fifo.v - queue between two clocks, first word falls through
 // SPDX-License-Identifier: Apache-2.0
 //   wr --> [RAM] --> [output register] --> rd       wr_gray --> [2 flip-flops] --> rd
-//                                              rd_gray --> [2 flip-flops] --> wr
+//                                        rd_gray --> [2 flip-flops] --> binary --> wr
 // Pointers cross in Gray code: one bit changes at a time, so a sample is the old or the new one. A
-// word is at the output 3 to 4 edges of rd_clk after its push; its room comes back 2 to 3 edges of
+// word is at the output 3 to 4 edges of rd_clk after its push; its room comes back 3 to 4 edges of
 // wr_clk after it went to the output register. Then a push and a pop every clock.
 // Both resets together (rt_reset_pair): a reset of one side alone makes words of nothing.
 `timescale 1ns / 1ps
@@ -35,11 +35,12 @@ module rt_async_fifo #(
     reg  [AB:0] wr_gray_q;
     wire [AB:0] wr_d = wr_q + 1'b1;
     wire [AB:0] rd_gray_s;                // of the reader, as it was
-    reg  [AB:0] rd_s;
+    reg  [AB:0] rd_s, rd_s_q;             // the same in binary; later by a clock
     wire        push  = wr_valid_i && wr_ready_o;
-    assign wr_count_o = wr_q - rd_s;
+    assign wr_count_o = wr_q - rd_s_q;
     assign wr_ready_o = wr_count_o != DEPTH[AB:0];
     always @(posedge wr_clk) begin
+        rd_s_q <= rd_s;
         if (push) begin
             wr_q      <= wr_d;
             wr_gray_q <= wr_d ^ (wr_d >> 1);
@@ -47,6 +48,7 @@ module rt_async_fifo #(
         if (wr_rst) begin
             wr_q      <= {(AB+1){1'b0}};
             wr_gray_q <= {(AB+1){1'b0}};
+            rd_s_q    <= {(AB+1){1'b0}};
         end
     end
 

@@ -1,8 +1,8 @@
 // rt_frame_write.v - finished pixels into a frame of the frame store
 // SPDX-License-Identifier: Apache-2.0
-//   pixels -> mux -> [groups of 8] -> address, format -> [AXI4 writes]
+//   pixels -> mux -> [groups of 8] -> row -> address, format -> [AXI4 writes]
 // address = frame + y*stride + x*4 (XRGB8888) or x*2 (RGB565); blue is in the low bits. RGB565
-// takes the high bits of each colour. A group is a burst of 32 or 16 bytes; one a cycle.
+// takes the high bits of each colour. A group is a burst of 32 or 16 bytes; one in three cycles.
 // With LAYERS there is no mux: a group is three bursts, of Rendering, L1 and L2, whose frames lie
 // layer_i bytes apart.
 // dead_i: the bus is given up, pixels are thrown away; cut_i: the core is in reset besides.
@@ -79,6 +79,15 @@ module rt_frame_write #(
     );
     assign pix_ready_o = drop || pix_ready;
 
+    // ---- stage 0: the row of the group that waits ----
+    reg          row_valid_q;
+    reg  [29:0]  row_q;                  // bytes before it
+    wire         g_go = g_valid && row_valid_q;
+    always @(posedge clk) begin
+        row_q       <= {16'd0, g_y} * {14'd0, stride_q};
+        row_valid_q <= g_valid && !g_ready && !rst && !drop;
+    end
+
     // ---- stage 1: address ----
     reg          s1_valid_q;
     reg  [31:0]  s1_addr_q;
@@ -88,11 +97,10 @@ module rt_frame_write #(
     wire         s1_free = s1_ready || !s1_valid_q;
     wire [31:0]  base;                   // of the layer that is next of the group
     wire [191:0] layer_rgb;
-    wire [29:0]  row = {16'd0, g_y} * {14'd0, stride_q};
     always @(posedge clk) begin
         if (s1_free) begin
-            s1_valid_q <= g_valid;
-            s1_addr_q  <= base + {2'd0, row} +
+            s1_valid_q <= g_go;
+            s1_addr_q  <= base + {2'd0, row_q} +
                           (rgb565_q ? {17'd0, g_column, 4'd0} : {16'd0, g_column, 5'd0});
             s1_mask_q  <= g_mask;
             s1_rgb_q   <= layer_rgb;
@@ -108,7 +116,7 @@ module rt_frame_write #(
                          : mux_q == 2'd2 ? pix_colour_i[24 +: 24] : pix_colour_i[48 +: 24];
             assign base      = base_i;
             assign layer_rgb = g_rgb;
-            assign g_ready   = s1_free;
+            assign g_ready   = s1_free && g_go;
             wire unused_layer = &{1'b0, layer_i};
         end else begin : g_layers
             reg  [31:0] layer_bytes_q, base_q;
@@ -116,7 +124,7 @@ module rt_frame_write #(
             wire        last = layer_q == 2'd2;
             assign rgb     = pix_colour_i;
             assign base    = layer_q == 2'd0 ? base_i : base_q;
-            assign g_ready = s1_free && last;
+            assign g_ready = s1_free && g_go && last;
             for (p = 0; p < 8; p = p + 1) begin : g_pixel
                 wire [71:0] colours = g_rgb[72*p +: 72];
                 assign layer_rgb[24*p +: 24] = layer_q == 2'd0 ? colours[0 +: 24]
@@ -124,7 +132,7 @@ module rt_frame_write #(
             end
             always @(posedge clk) begin
                 if (begin_i) layer_bytes_q <= layer_i;
-                if (s1_free && g_valid) begin
+                if (s1_free && g_go) begin
                     layer_q <= last ? 2'd0 : layer_q + 2'd1;
                     base_q  <= base + layer_bytes_q;
                 end

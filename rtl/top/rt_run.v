@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //   IDLE -> LOAD registers -> WAIT for a frame -> START -> DRAW -> FLUSH pixels -> END -> IDLE
 //   any -- STOP, SOFT_RESET --> DRAIN until the buses owe nothing -> IDLE
-// A bus that owes an answer and does nothing for limit_i cycles is given up (dead): the core gets
-// errors in place of lines, pixels are thrown away, so that the frame ends; a soft reset then
-// drains the bus before the next frame. A frame with any error is not complete. A display whose bus
-// is silent shows black and goes on by itself: the error is told once for each silence.
+// A bus that owes an answer and does nothing for limit_i cycles is given up (dead): if it is that
+// of reads, the core is reset; pixels for that of writes are thrown away. So the frame ends, and a
+// soft reset drains the bus before the next one. A frame with any error is not complete. A display
+// whose bus is silent shows black and goes on by itself: the error is told once for each silence.
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
@@ -36,14 +36,13 @@ module rt_run (
     output wire        end_o,
     output wire        good_o,
     // to both masters
-    output wire        cut_o,
     output wire        forget_o,
     // rt_axi_read
-    output wire        read_dead_o,
     input  wire        read_idle_i,
     input  wire        read_stall_i,
     input  wire [1:0]  read_errors_i,   // {DECERR, SLVERR}
     // rt_frame_write
+    output wire        cut_o,
     output wire        write_dead_o,
     output wire        flush_o,
     input  wire        write_empty_i,
@@ -85,7 +84,7 @@ module rt_run (
     assign begin_o      = state_q == WAIT && room_i && !stop;
     assign core_start_o = state_q == START;
     assign core_keep_o  = keep_q;
-    assign core_rst_o   = rst || state_q == DRAIN;
+    assign core_rst_o   = rst || state_q == DRAIN || dead_q[0];
     assign cut_o        = state_q == DRAIN;
     assign forget_o     = anew && order_i[`RT_TOP_CONTROL_FORGET];
     assign flush_o      = state_q == FLUSH;
@@ -118,7 +117,7 @@ module rt_run (
             silent_q <= 1'b0;
         end
     end
-    assign {write_dead_o, read_dead_o} = dead_q;
+    assign write_dead_o = dead_q[1];
 
     // ---- errors ----
     reg  [`RT_ERRORS-1:0] seen_q;       // of the core, told already

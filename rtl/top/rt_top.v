@@ -10,7 +10,7 @@
 `include "rt_modes.vh"
 `include "rt_top.vh"
 module rt_top #(
-    parameter DATA       = 64,   // data bits of the AXI4 masters, 64 or 128
+    parameter DATA       = 64,   // data bits of frame store and display, 64 or 128
     parameter BUFFERS    = 16,   // groups of pixels filled at once, a power of two, 4..64
     parameter VIDEO      = 0,    // 1: a video output
     parameter LAYERS     = 0,    // 1: frames have three layers, Rendering, L1 and L2
@@ -37,16 +37,18 @@ module rt_top #(
     input  wire              s_axil_rready,
     output wire [31:0]       s_axil_rdata,
     output wire [1:0]        s_axil_rresp,
-    // scene: AXI4 reads; INCR, all bytes of each beat, ID 0
+    // scene: AXI4 reads, MEM_DATA wide; INCR, all bytes of each beat; a reader is an ID
     output wire              m_scene_arvalid,
     input  wire              m_scene_arready,
+    output wire [`RT_TAG_BITS-1:0] m_scene_arid,
     output wire [31:0]       m_scene_araddr,
     output wire [7:0]        m_scene_arlen,
     output wire [2:0]        m_scene_arsize,
     output wire [1:0]        m_scene_arburst,
     input  wire              m_scene_rvalid,
     output wire              m_scene_rready,
-    input  wire [DATA-1:0]   m_scene_rdata,
+    input  wire [`RT_TAG_BITS-1:0] m_scene_rid,
+    input  wire [MEM_DATA-1:0] m_scene_rdata,
     input  wire [1:0]        m_scene_rresp,
     input  wire              m_scene_rlast,
     // frame store: AXI4 writes; INCR, ID 0
@@ -68,7 +70,7 @@ module rt_top #(
     input  wire              take_i,           // one cycle, before a frame is read
     output wire              show_valid_o,     // a frame is shown, at
     output wire [31:0]       show_base_o,      // this address, from the cycle after take_i
-    // display: AXI4 reads, as of the scene; without VIDEO all of its outputs are 0
+    // display: AXI4 reads; INCR, ID 0; without VIDEO all of its outputs are 0
     output wire              m_scan_arvalid,
     input  wire              m_scan_arready,
     output wire [31:0]       m_scan_araddr,
@@ -99,7 +101,7 @@ module rt_top #(
     `RT_CHECK(VIDEO == 0 || VIDEO == 1, rt_top_VIDEO_must_be_0_or_1)
     `RT_CHECK(LAYERS == 0 || LAYERS == 1, rt_top_LAYERS_must_be_0_or_1)
     localparam [2:0] SIZE = DATA == 64 ? 3'd3 : 3'd4;     // bytes of a beat, their logarithm
-    assign m_scene_arsize  = SIZE;
+    assign m_scene_arsize  = MEM_DATA == 64 ? 3'd3 : MEM_DATA == 128 ? 3'd4 : 3'd5;
     assign m_scene_arburst = 2'b01;
     assign m_frame_awsize  = SIZE;
     assign m_frame_awburst = 2'b01;
@@ -165,7 +167,7 @@ module rt_top #(
     wire        core_rst, core_start, core_keep, core_busy;
     wire [`RT_ERRORS-1:0] core_errors;
     wire        room, clear, frame_begin, cut, forget, flush;
-    wire        read_dead, read_idle, read_stall, read_slverr, read_decerr, read_burst, read_beat;
+    wire        read_idle, read_stall, read_slverr, read_decerr, read_burst, read_beat;
     wire        write_dead, write_empty, write_idle, write_stall, write_slverr, write_decerr,
                 write_burst, write_beat;
     rt_run u_run (
@@ -175,7 +177,7 @@ module rt_top #(
         .load_o(load), .loading_i(loading), .core_rst_o(core_rst), .core_start_o(core_start),
         .core_keep_o(core_keep), .core_busy_i(core_busy), .core_errors_i(core_errors),
         .room_i(room), .clear_o(clear), .begin_o(frame_begin), .end_o(frame_end), .good_o(good),
-        .cut_o(cut), .forget_o(forget), .read_dead_o(read_dead), .read_idle_i(read_idle),
+        .cut_o(cut), .forget_o(forget), .read_idle_i(read_idle),
         .read_stall_i(read_stall), .read_errors_i({read_decerr, read_slverr}),
         .write_dead_o(write_dead), .flush_o(flush), .write_empty_i(write_empty),
         .write_idle_i(write_idle), .write_stall_i(write_stall),
@@ -207,7 +209,8 @@ module rt_top #(
     // ---- core ----
     wire        req_valid, req_ready, rsp_valid, rsp_ready, rsp_error;
     wire [`RT_LINE_BITS-1:0] req_line;
-    wire [63:0] rsp_data;
+    wire [`RT_TAG_BITS-1:0] req_tag, rsp_tag;
+    wire [MEM_DATA-1:0] rsp_data;
     wire        pix_valid, pix_ready;
     wire [13:0] pix_x, pix_y;
     wire [71:0] pix_colour;
@@ -227,24 +230,26 @@ module rt_top #(
         .cfg_data_i(cfg_data), .start_i(core_start), .keep_cache_i(core_keep),
         .busy_o(core_busy), .active_o(core_active),
         .mem_req_valid_o(req_valid), .mem_req_ready_i(req_ready),
-        .mem_req_line_o(req_line), .mem_rsp_valid_i(rsp_valid), .mem_rsp_ready_o(rsp_ready),
-        .mem_rsp_data_i(rsp_data), .mem_rsp_error_i(rsp_error), .pix_valid_o(pix_valid),
-        .pix_ready_i(pix_ready), .pix_x_o(pix_x), .pix_y_o(pix_y), .pix_colour_o(pix_colour),
-        .pix_frame_o(pix_frame), .pix_id_o(pix_id), .pix_key_o(pix_key),
-        .pix_visits_o(pix_visits), .pix_texture_o(pix_texture),
+        .mem_req_line_o(req_line), .mem_req_tag_o(req_tag), .mem_rsp_valid_i(rsp_valid),
+        .mem_rsp_ready_o(rsp_ready), .mem_rsp_tag_i(rsp_tag), .mem_rsp_data_i(rsp_data),
+        .mem_rsp_error_i(rsp_error), .pix_valid_o(pix_valid), .pix_ready_i(pix_ready),
+        .pix_x_o(pix_x), .pix_y_o(pix_y), .pix_colour_o(pix_colour), .pix_frame_o(pix_frame),
+        .pix_id_o(pix_id), .pix_key_o(pix_key), .pix_visits_o(pix_visits),
+        .pix_texture_o(pix_texture),
         .count_addr_i(count_addr), .count_data_o(count), .errors_o(core_errors)
     );
-    rt_axi_read #(.DATA(DATA)) u_read (
+    rt_axi_read #(.DATA(MEM_DATA)) u_read (
         .clk(clk), .rst(rst), .begin_i(load),
-        .base_i(settings[`RT_TOP_SET_SCENE_BASE]), .cut_i(cut),
-        .dead_i(read_dead), .forget_i(forget), .idle_o(read_idle), .stall_o(read_stall),
+        .base_i(settings[`RT_TOP_SET_SCENE_BASE]), .cut_i(core_rst),
+        .forget_i(forget), .idle_o(read_idle), .stall_o(read_stall),
         .slverr_o(read_slverr), .decerr_o(read_decerr), .burst_o(read_burst), .beat_o(read_beat),
         .req_valid_i(req_valid), .req_ready_o(req_ready), .req_line_i(req_line),
-        .rsp_valid_o(rsp_valid), .rsp_ready_i(rsp_ready), .rsp_data_o(rsp_data),
-        .rsp_error_o(rsp_error), .m_arvalid(m_scene_arvalid), .m_arready(m_scene_arready),
+        .req_tag_i(req_tag), .rsp_valid_o(rsp_valid), .rsp_ready_i(rsp_ready),
+        .rsp_tag_o(rsp_tag), .rsp_data_o(rsp_data), .rsp_error_o(rsp_error),
+        .m_arvalid(m_scene_arvalid), .m_arready(m_scene_arready), .m_arid(m_scene_arid),
         .m_araddr(m_scene_araddr), .m_arlen(m_scene_arlen), .m_rvalid(m_scene_rvalid),
-        .m_rready(m_scene_rready), .m_rdata(m_scene_rdata), .m_rresp(m_scene_rresp),
-        .m_rlast(m_scene_rlast)
+        .m_rready(m_scene_rready), .m_rid(m_scene_rid), .m_rdata(m_scene_rdata),
+        .m_rresp(m_scene_rresp), .m_rlast(m_scene_rlast)
     );
     wire [3:0] write_pixels;
     rt_frame_write #(.DATA(DATA), .BUFFERS(BUFFERS), .LAYERS(LAYERS)) u_frame_write (

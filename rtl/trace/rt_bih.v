@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Stands where rt_traverse and rt_traversal_stack do for nodes of four children (ACCEL of rt_core).
 //   0 issue | 1, 2 node cache | 3 node: its half | 4 ray's word of the axis | 5..9 rt_bih_step |
-//   9 decision | 10 token: back to 0 a clock later
+//   9, 10 decision | 11 token: back to 0 a clock later
 // A ray starts at 3, and each axis of the global box is cut from there, in clocks in which no node
 // comes from the cache. A ray without records of no node (N_LOOSE 0) starts with axis x of the box.
 // Aroxa 2014, III.B. Model: sph_bih_walk() in cmodel/trace/bih_walk.c
@@ -283,10 +283,10 @@ module rt_bih #(
         .out_back_o(s_back), .out_near_o(s_near), .out_far_o(s_far),
         .out_upper_o(s_upper), .out_lower_o(s_lower)
     );
-    rt_delay #(.WIDTH(SLOTW+3), .CYCLES(`RT_BIH_STEP_LATENCY-1)) u_side (
+    rt_delay #(.WIDTH(SLOTW+3), .CYCLES(`RT_BIH_STEP_LATENCY-2)) u_side (
         .clk(clk), .in_i({t2_slot_q, t2_kind_q}), .out_o({pass_slot, pass_kind})
     );
-    rt_delay_valid #(.CYCLES(`RT_BIH_STEP_LATENCY-1)) u_valid (
+    rt_delay_valid #(.CYCLES(`RT_BIH_STEP_LATENCY-2)) u_valid (
         .clk(clk), .rst(rst), .in_i(t2_valid_q), .out_o(pass_valid)
     );
 

@@ -1,9 +1,9 @@
 // rt_bih_stack.v - what a ray does next in a BIH: child, leaf records, put aside, done
 // SPDX-License-Identifier: Apache-2.0
 // A token is a pass of rt_bih_step, which cannot wait, or a ray that popped a node behind its hit
-// and tries once more, or a ray whose leaf records have been tested. Two stages take a token a
-// clock: the first reads all about the slot, the second decides. An interval {hi, lo} bounds where
-// along the ray the node lies that the ray is at.
+// and tries once more, or a ray whose leaf records have been tested. Three stages take a token a
+// clock: the first reads all about the slot, the second compares, the third decides. An interval
+// {hi, lo} bounds where along the ray the node lies that the ray is at.
 // Model: sph_bih_walk() in cmodel/trace/bih_walk.c
 `timescale 1ns / 1ps
 `default_nettype none
@@ -27,7 +27,7 @@ module rt_bih_stack #(
     input  wire             node_valid_i,
     input  wire [$clog2(SLOTS)-1:0] node_slot_i,
     input  wire [2*`RT_ID_BITS-1:0] node_i, // inner: line of the children; leaf: {count, first}
-    // a pass, and a clock later what rt_bih_step makes of it
+    // a pass, and two clocks later what rt_bih_step makes of it
     input  wire             pass_valid_i,
     input  wire [$clog2(SLOTS)-1:0] pass_slot_i,
     input  wire [2:0]       pass_kind_i,    // rt_bih.vh
@@ -71,14 +71,17 @@ module rt_bih_stack #(
     localparam [TW-1:0] NONE = {TW{1'b1}};
     wire       whole = FACETS != 0 && facets_on_i;
 
-    // ---- stage 0: a token; read everything about its slot ----
+    // ---- which token is next ----
     wire             again, again_valid, again_in, tested_valid, tested_in;
     wire [SLOTW-1:0] again_slot, tested_slot;
     reg              s1_valid_q, s1_again_q, s1_tested_q;
     reg [SLOTW-1:0]  s1_slot_q;
     reg [2:0]        s1_kind_q;
+    reg              s2_valid_q, s2_again_q, s2_tested_q;
+    reg [SLOTW-1:0]  s2_slot_q;
+    reg [2:0]        s2_kind_q;
     rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_again (
-        .clk(clk), .rst(rst), .in_valid_i(again), .in_ready_o(again_in), .in_data_i(s1_slot_q),
+        .clk(clk), .rst(rst), .in_valid_i(again), .in_ready_o(again_in), .in_data_i(s2_slot_q),
         .out_valid_o(again_valid), .out_ready_i(!pass_valid_i), .out_data_o(again_slot)
     );
     rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_tested (
@@ -87,129 +90,165 @@ module rt_bih_stack #(
         .out_valid_o(tested_valid), .out_ready_i(!pass_valid_i && !again_valid),
         .out_data_o(tested_slot)
     );
-    wire             s0_valid = pass_valid_i || again_valid || tested_valid;
-    wire [SLOTW-1:0] s0_slot  = pass_valid_i ? pass_slot_i
-                                : again_valid ? again_slot : tested_slot;
-    assign read_o = s0_valid;
-    assign slot_o = s0_slot;
+    reg              s0_valid_q, s0_pass_q, s0_again_q;
+    reg [SLOTW-1:0]  s0_slot_q;
+    reg [2:0]        s0_kind_q;
+    assign read_o = s0_valid_q;
+    assign slot_o = s0_slot_q;
     always @(posedge clk) begin
-        s1_valid_q  <= s0_valid;
-        s1_again_q  <= !pass_valid_i && again_valid;
-        s1_tested_q <= !pass_valid_i && !again_valid;
-        s1_slot_q   <= s0_slot;
-        s1_kind_q   <= pass_kind_i;
-        if (rst) s1_valid_q <= 1'b0;
+        s0_valid_q  <= pass_valid_i || again_valid || tested_valid;
+        s0_pass_q   <= pass_valid_i;
+        s0_again_q  <= !pass_valid_i && again_valid;
+        s0_slot_q   <= pass_valid_i ? pass_slot_i : again_valid ? again_slot : tested_slot;
+        s0_kind_q   <= pass_kind_i;
+        s1_valid_q  <= s0_valid_q;
+        s1_again_q  <= s0_again_q;
+        s1_tested_q <= !s0_pass_q && !s0_again_q;
+        s1_slot_q   <= s0_slot_q;
+        s1_kind_q   <= s0_kind_q;
+        if (rst) begin s0_valid_q <= 1'b0; s1_valid_q <= 1'b0; end
     end
 
+    // ---- stage 0: read everything about its slot ----
     wire [2*IB-1:0]  node;
     rt_slot_ram #(.WIDTH(2*IB), .SLOTS(SLOTS), .OLD(0)) u_node (
         .clk(clk), .wr_en_i(node_valid_i), .wr_addr_i(node_slot_i), .wr_data_i(node_i),
-        .rd_en_i(pass_valid_i), .rd_addr_i(pass_slot_i), .rd_data_o(node)
+        .rd_en_i(s0_pass_q), .rd_addr_i(s0_slot_q), .rd_data_o(node)
     );
     wire             span_wr, chunk, keep, push;
     wire [2*TW-1:0]  span, span_next;       // {hi, lo}
     rt_slot_ram #(.WIDTH(2*TW), .SLOTS(SLOTS), .OLD(0)) u_span (
-        .clk(clk), .wr_en_i(span_wr), .wr_addr_i(s1_slot_q), .wr_data_i(span_next),
-        .rd_en_i(pass_valid_i), .rd_addr_i(pass_slot_i), .rd_data_o(span)
+        .clk(clk), .wr_en_i(span_wr), .wr_addr_i(s2_slot_q), .wr_data_i(span_next),
+        .rd_en_i(s0_pass_q), .rd_addr_i(s0_slot_q), .rd_data_o(span)
     );
     wire [2*IB-1:0]  chunk_rest, chunk_next;  // leaf records still to test: {count, first}
     rt_slot_ram #(.WIDTH(2*IB), .SLOTS(SLOTS), .OLD(0)) u_chunk (
-        .clk(clk), .wr_en_i(chunk), .wr_addr_i(s1_slot_q), .wr_data_i(chunk_next),
-        .rd_en_i(s0_valid), .rd_addr_i(s0_slot), .rd_data_o(chunk_rest)
+        .clk(clk), .wr_en_i(chunk), .wr_addr_i(s2_slot_q), .wr_data_i(chunk_next),
+        .rd_en_i(s0_valid_q), .rd_addr_i(s0_slot_q), .rd_data_o(chunk_rest)
     );
     wire [SPW+1:0]   s0_state, state_next;  // {records of no node, stack entries}
-    reg [SPW+1:0]    s1_state_q;
+    reg [SPW+1:0]    s1_state_q, s2_state_q;
     rt_slot_file #(.WIDTH(SPW+2), .SLOTS(SLOTS)) u_state (
-        .clk(clk), .wr_en_i(keep), .wr_addr_i(s1_slot_q), .wr_data_i(state_next),
-        .rd_addr_i(s0_slot), .rd_data_o(s0_state)
+        .clk(clk), .wr_en_i(keep), .wr_addr_i(s2_slot_q), .wr_data_i(state_next),
+        .rd_addr_i(s0_slot_q), .rd_data_o(s0_state)
     );
     always @(posedge clk) s1_state_q <= s0_state;
     wire [EW-1:0]    top, push_data;
     wire [SPW-1:0]   s0_top_at = s0_state[SPW-1:0] - 1'b1;
     rt_slot_ram #(.WIDTH(EW), .SLOTS(SLOTS*DEPTH), .OLD(0)) u_stack (
-        .clk(clk), .wr_en_i(push), .wr_addr_i({s1_slot_q, s1_state_q[SPW-1:0]}),
+        .clk(clk), .wr_en_i(push), .wr_addr_i({s2_slot_q, s2_state_q[SPW-1:0]}),
         .wr_data_i(push_data),
-        .rd_en_i(s0_valid), .rd_addr_i({s0_slot, s0_top_at}), .rd_data_o(top)
+        .rd_en_i(s0_valid_q), .rd_addr_i({s0_slot_q, s0_top_at}), .rd_data_o(top)
     );
 
-    // ---- stage 1: what is it? ----
-    wire pass  = s1_valid_q && !s1_again_q && !s1_tested_q;
-    wire inner = pass && s1_kind_q == `RT_BIH_INNER;
-    wire fit   = pass && s1_kind_q == `RT_BIH_FIT;
-    wire leave = pass && s1_kind_q == `RT_BIH_LEAVE;
-    wire start = pass && s1_kind_q == `RT_BIH_START;
-    wire box   = pass && s1_kind_q >= `RT_BIH_BOX_X;
-    wire box_x = s1_kind_q == `RT_BIH_BOX_X;         // a start without records of no node
-    wire box_z = s1_kind_q == `RT_BIH_BOX_Z;
-    wire [SPW:0] sp = s1_state_q[SPW:0];
-    wire loose = s1_state_q[SPW+1];
-    wire ended = (pass && s1_kind_q == `RT_BIH_KILL) || (ENDS != 0 && ends_i && hit_i);
+    // ---- stage 1: children ----
+    wire s1_pass  = !s1_again_q && !s1_tested_q;
+    wire s1_box_x = s1_kind_q == `RT_BIH_BOX_X;      // a start without records of no node
+    wire [TW-1:0] lo = s1_box_x ? {TW{1'b0}} : span[TW-1:0];
+    wire [TW-1:0] hi = s1_box_x ? NONE : span[2*TW-1:TW];
+    reg           back_q, near_q, far_q;
+    reg           overlap_q;                        // something lies between the planes
+    reg           top_counts_q;                     // the top of the stack is not behind the hit
+    reg  [TW-1:0] lo_q, hi_q, later_q, earlier_q;
+    reg           s2_ended_q;
+    reg  [EW-1:0] top_q;
+    reg  [LB-1:0] child_q;                          // line of the children
+    always @(posedge clk) begin
+        s2_valid_q   <= s1_valid_q && !rst;
+        s2_again_q   <= s1_again_q;
+        s2_tested_q  <= s1_tested_q;
+        s2_slot_q    <= s1_slot_q;
+        s2_kind_q    <= s1_kind_q;
+        s2_state_q   <= s1_state_q;
+        s2_ended_q   <= ENDS != 0 && ends_i && hit_i;
+        back_q       <= step_back_i;
+        near_q       <= step_near_i && lo <= step_upper_i;
+        far_q        <= step_far_i && step_lower_i <= hi && step_lower_i <= limit_i;
+        overlap_q    <= step_lower_i <= step_upper_i;
+        later_q      <= step_lower_i > lo ? step_lower_i : lo;
+        earlier_q    <= step_upper_i < hi ? step_upper_i : hi;
+        {hi_q, lo_q} <= {hi, lo};
+        top_q        <= top;
+        top_counts_q <= top[TW-1:0] <= limit_i;
+        child_q      <= node[LB-1:0];
+    end
 
-    // ---- children ----
-    wire [TW-1:0] lo = box_x ? {TW{1'b0}} : span[TW-1:0];
-    wire [TW-1:0] hi = box_x ? NONE : span[2*TW-1:TW];
-    wire near = step_near_i && lo <= step_upper_i;
-    wire far  = step_far_i && step_lower_i <= hi && step_lower_i <= limit_i;
-    wire both = near && far && step_lower_i <= step_upper_i;  // something lies between the planes
-    wire [TW-1:0] later   = step_lower_i > lo ? step_lower_i : lo;
-    wire [TW-1:0] earlier = step_upper_i < hi ? step_upper_i : hi;
-
-    // ---- leaf records: up to four of two lines ----
-    wire [IB-1:0] leaf_first, leaf_count, rest_first, rest_count, first, count;
+    // ---- stage 1: leaf records, up to four of two lines ----
+    wire            s1_leave = s1_pass && s1_kind_q == `RT_BIH_LEAVE;
+    wire            s1_start = s1_pass && s1_kind_q == `RT_BIH_START;
+    wire [IB-1:0]   leaf_first, leaf_count, rest_first, rest_count;
     assign {leaf_count, leaf_first} = node;
     assign {rest_count, rest_first} = chunk_rest;
-    assign first = start ? {IB{1'b0}} : leave ? leaf_first : rest_first;
-    assign count = start ? n_loose_i : leave ? leaf_count : rest_count;
-    wire        odd   = !whole && first[0];                   // begins with the second of a line
+    reg  [IB-1:0]   first_q, count_q;
+    always @(posedge clk) begin
+        first_q <= s1_start ? {IB{1'b0}} : s1_leave ? leaf_first : rest_first;
+        count_q <= s1_start ? n_loose_i : s1_leave ? leaf_count : rest_count;
+    end
+
+    // ---- stage 2: what is it? ----
+    wire pass  = s2_valid_q && !s2_again_q && !s2_tested_q;
+    wire inner = pass && s2_kind_q == `RT_BIH_INNER;
+    wire fit   = pass && s2_kind_q == `RT_BIH_FIT;
+    wire leave = pass && s2_kind_q == `RT_BIH_LEAVE;
+    wire start = pass && s2_kind_q == `RT_BIH_START;
+    wire box   = pass && s2_kind_q >= `RT_BIH_BOX_X;
+    wire box_x = s2_kind_q == `RT_BIH_BOX_X;
+    wire box_z = s2_kind_q == `RT_BIH_BOX_Z;
+    wire [SPW:0] sp = s2_state_q[SPW:0];
+    wire loose = s2_state_q[SPW+1];
+    wire ended = (pass && s2_kind_q == `RT_BIH_KILL) || s2_ended_q;
+    wire both  = near_q && far_q && overlap_q;
+
+    // ---- stage 2: the records that are tested now ----
+    wire        odd   = !whole && first_q[0];                 // begins with the second of a line
     wire [2:0]  room  = odd ? 3'd3 : 3'd4;
-    wire        fits  = count <= {{(IB-3){1'b0}}, room};
-    wire [2:0]  n     = fits ? count[2:0] : room;
+    wire        fits  = count_q <= {{(IB-3){1'b0}}, room};
+    wire [2:0]  n     = fits ? count_q[2:0] : room;
     wire [3:0]  ones  = ~(4'hf << n);
-    wire        some  = count != {IB{1'b0}};
-    assign chunk      = (leave || start || (s1_valid_q && s1_tested_q)) && some && !ended;
-    assign chunk_next = {fits ? {IB{1'b0}} : count - {{(IB-3){1'b0}}, room},
-                         first + {{(IB-3){1'b0}}, room}};
+    wire        some  = count_q != {IB{1'b0}};
+    assign chunk      = (leave || start || (s2_valid_q && s2_tested_q)) && some && !ended;
+    assign chunk_next = {fits ? {IB{1'b0}} : count_q - {{(IB-3){1'b0}}, room},
+                         first_q + {{(IB-3){1'b0}}, room}};
 
     // ---- what next? ----
-    wire finished = s1_valid_q && s1_tested_q && !some;       // all records of a leaf
-    wire pop      = s1_again_q || (finished && !loose) || (leave && !some) ||
-                    (inner && !near && !far) || (fit && !both);
-    wire down     = (inner && (near || far)) || (fit && both);
+    wire finished = s2_valid_q && s2_tested_q && !some;       // all records of a leaf
+    wire pop      = s2_again_q || (finished && !loose) || (leave && !some) ||
+                    (inner && !near_q && !far_q) || (fit && !both);
+    wire down     = (inner && (near_q || far_q)) || (fit && both);
     wire full     = sp[SPW];
-    wire aside    = inner && near && far;
+    wire aside    = inner && near_q && far_q;
     wire to_box   = (finished && loose) || (box && both && !box_z);
     wire to_root  = box && both && box_z;
-    wire to_top   = s1_valid_q && pop && sp != 0 && top[TW-1:0] <= limit_i;
+    wire to_top   = s2_valid_q && pop && sp != 0 && top_counts_q;
     wire go       = !ended && ((down && !(aside && full)) || to_root || to_top);
-    assign again  = s1_valid_q && !ended && pop && sp != 0 && !to_top;
+    assign again  = s2_valid_q && !ended && pop && sp != 0 && !to_top;
     assign keep   = go || again || chunk || (to_box && !ended);
     assign push   = aside && !full && !ended;
 
     // The left child stands in half 0: the near one unless the ray runs back.
-    wire half     = fit ? 1'b0 : near ? step_back_i : !step_back_i;
-    wire [LB-1:0] child = node[LB-1:0];                       // line of the children
-    assign push_data  = {child, !step_back_i, hi, later};
+    wire half     = fit ? 1'b0 : near_q ? back_q : !back_q;
+    assign push_data  = {child_q, !back_q, hi_q, later_q};
     assign span_wr    = go || (to_box && !ended);
-    assign span_next  = pop ? top[2*TW-1:0]
-                        : {inner && !near ? hi : earlier, inner && near ? lo : later};
+    assign span_next  = pop ? top_q[2*TW-1:0]
+                        : {inner && !near_q ? hi_q : earlier_q, inner && near_q ? lo_q : later_q};
     assign state_next = {start || (loose && chunk),
                          start || (box && box_x) ? {(SPW+1){1'b0}}
                          : push ? sp + 1'b1 : pop ? sp - 1'b1 : sp};
     always @(posedge clk) begin
         issue_valid_o <= go;
-        issue_slot_o  <= s1_slot_q;
-        issue_place_o <= to_root ? {root_i, 1'b0} : pop ? top[EW-1 -: LB+1] : {child, half};
+        issue_slot_o  <= s2_slot_q;
+        issue_place_o <= to_root ? {root_i, 1'b0} : pop ? top_q[EW-1 -: LB+1] : {child_q, half};
         box_valid_o   <= to_box && !ended;
-        box_slot_o    <= s1_slot_q;
-        box_axis_o    <= box ? s1_kind_q[1:0] : 2'd0;         // one behind that of the pass
+        box_slot_o    <= s2_slot_q;
+        box_axis_o    <= box ? s2_kind_q[1:0] : 2'd0;         // one behind that of the pass
         leaf_valid_o  <= chunk;
-        leaf_slot_o   <= s1_slot_q;
+        leaf_slot_o   <= s2_slot_q;
         leaf_mask_o   <= odd ? {ones[2:0], 1'b0} : ones;
         leaf_count_o  <= n;
-        leaf_line_o   <= leaf_base_i + (whole ? {{(LB-IB){1'b0}}, first}
-                                        : {{(LB-IB+1){1'b0}}, first[IB-1:1]});
-        done_valid_o  <= s1_valid_q && !keep;
-        done_slot_o   <= s1_slot_q;
+        leaf_line_o   <= leaf_base_i + (whole ? {{(LB-IB){1'b0}}, first_q}
+                                        : {{(LB-IB+1){1'b0}}, first_q[IB-1:1]});
+        done_valid_o  <= s2_valid_q && !keep;
+        done_slot_o   <= s2_slot_q;
         bubble_o      <= again;
         overflow_o    <= aside && full && !ended;
         if (rst) begin
@@ -219,7 +258,7 @@ module rt_bih_stack #(
     end
     // for benches: {turned away, taken, clocks of work}
     wire [7:0] work_next_nodes /* verilator public_flat_rd */ =
-        {pass_valid_i && (again_valid || tested_valid), s0_valid, 5'd0, s0_valid};
+        {pass_valid_i && (again_valid || tested_valid), s0_valid_q, 5'd0, s0_valid_q};
     wire unused = &{1'b0, facets_on_i, again_in, tested_in};
 endmodule
 `default_nettype wire

@@ -69,8 +69,8 @@ module rt_scan #(
     reg  [CB-1:0]   owed_q;               // beats on their way
     assign take_o = enable_i && frame_i != frame_q;
     wire idle     = owed_q == {CB{1'b0}} && !m_scan_arvalid;
-    wire room_1   = !word_count_i[CB-1];
-    wire header   = begin_q && idle && room_1 && !take_o && !forget_i && enable_i;
+    reg  room_q;                          // for a burst, in the clock before, and no header since
+    wire header   = begin_q && idle && room_q && !take_o && !forget_i && enable_i;
     always @(posedge clk) begin
         frame_q <= frame_i;
         if (header) begin begin_q <= 1'b0; stale_q <= 1'b0; end
@@ -84,7 +84,8 @@ module rt_scan #(
         end
     end
 
-    // ---- bursts: one is put together while none waits ----
+    // ---- bursts: one is put together while none waits, so that each has two clocks: in the one
+    // its length and the room for it are found, in the other it is asked for ----
     reg  [31:0] row_q;                    // address of this row
     reg  [31:0] addr_q;                   // of the next beat
     reg  [12:0] left_q;                   // beats of this row to be asked for
@@ -93,23 +94,28 @@ module rt_scan #(
     reg         read_q;                   // there is more to be asked for
     wire [CB:0] full   = {1'b0, word_count_i} + {1'b0, owed_q};
     wire        room   = full <= DEPTH[CB:0] - BURST[CB:0];
-    wire        go     = read_q && !stale_q && !take_o && room && !m_scan_arvalid && !forget_i;
+    wire        go     = read_q && !stale_q && !take_o && room_q && !m_scan_arvalid && !forget_i;
     wire [LB:0] to_end = BURST[LB:0] - {1'b0, addr_q[BB +: LB]};
     wire        short  = left_q <= {{(12-LB){1'b0}}, to_end};
     wire [LB:0] length = short ? left_q[LB:0] : to_end;
+    reg  [LB:0] length_q;
+    reg         short_q;                  // the burst is the last of its row
     wire [31:0] below  = row_q + {16'd0, stride_i};
     wire        repeats = double_i && !again_q;
     assign m_scan_arsize  = BB[2:0];
     assign m_scan_arburst = 2'b01;        // INCR
     always @(posedge clk) begin
+        room_q   <= room && !header;
+        length_q <= length;
+        short_q  <= short;
         if (m_scan_arready) m_scan_arvalid <= 1'b0;
         if (go) begin
             m_scan_arvalid <= 1'b1;
             m_scan_araddr  <= addr_q;
-            m_scan_arlen   <= {{(7-LB){1'b0}}, length} - 8'd1;
-            addr_q         <= addr_q + ({{(31-LB){1'b0}}, length} << BB);
-            left_q         <= left_q - {{(12-LB){1'b0}}, length};
-            if (short) begin
+            m_scan_arlen   <= {{(7-LB){1'b0}}, length_q} - 8'd1;
+            addr_q         <= addr_q + ({{(31-LB){1'b0}}, length_q} << BB);
+            left_q         <= left_q - {{(12-LB){1'b0}}, length_q};
+            if (short_q) begin
                 addr_q  <= repeats ? row_q : below;
                 row_q   <= repeats ? row_q : below;
                 left_q  <= beats;
@@ -137,7 +143,8 @@ module rt_scan #(
     assign stall_o       = owed_q != {CB{1'b0}} && !m_scan_rvalid &&
                            !(m_scan_arvalid && m_scan_arready);
     always @(posedge clk) begin
-        owed_q <= owed_q + (go ? {{(CB-LB-1){1'b0}}, length} : {CB{1'b0}}) - {{(CB-1){1'b0}}, beat};
+        owed_q <= owed_q + (go ? {{(CB-LB-1){1'b0}}, length_q} : {CB{1'b0}}) -
+                  {{(CB-1){1'b0}}, beat};
         if (rst || forget_i) owed_q <= {CB{1'b0}};
     end
     assign word_valid_o = header || (beat && !stale_q && enable_i);

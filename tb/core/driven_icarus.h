@@ -65,7 +65,12 @@ inline bool DrivenIcarus::start(const char *engine) {
 inline DrivenIcarus::DrivenIcarus(const Options &o, const sph_machine &machine, Run &run)
     : PortHost(o, machine, run) {
     signal(SIGPIPE, SIG_IGN); /* a dead vvp is told by the line that is missing */
-    if (!start(o.engine.c_str())) fail(run, "no vvp of '%s'", o.engine.c_str());
+    char head[16] = "";
+    unsigned width = 0;
+    if (!start(o.engine.c_str()) || !std::fgets(head, sizeof head, from_) ||
+        !Words(head).hex(width).good())
+        fail(run, "no vvp of '%s'", o.engine.c_str());
+    memory().width(width);
     pins.rst = true;
     for (int i = 0; i < RESET; i++)
         clock();
@@ -84,7 +89,7 @@ inline void DrivenIcarus::complain(const char *what, const char *text) {
              static_cast<int>(std::strcspn(text, "\n")), text);
 }
 
-/* "req rsp pix line [pixel] / busy errors count" */
+/* "req rsp pix line tag [pixel] / busy errors count" */
 inline void DrivenIcarus::read(const char *text, Outputs &out) {
     const char *behind = std::strstr(text, " / ");
     Words seen(behind ? behind + 3 : "");
@@ -101,10 +106,11 @@ inline void DrivenIcarus::read(const char *text, Outputs &out) {
         std::strpbrk("xzXZ", std::string(behind + 3, 1).c_str()))
         return complain("unknown bits", text);
     Words words(text + 4);
-    if (out.req_valid && !Words(text + 4).hex(out.req_line).good())
-        return complain("not a line of memory", text);
+    if (out.req_valid && !Words(text + 4).hex(out.req_line).hex(out.req_tag).good())
+        return complain("not a line and a tag", text);
     if (!out.pix_valid) return;
     words.word(); /* the line of memory */
+    words.word(); /* its tag */
     words.hex(out.x).hex(out.y);
     const std::string hex = words.word();
     if (!words.hex(out.pixel.id)
@@ -131,8 +137,12 @@ inline void DrivenIcarus::step(const Inputs &in, Outputs &out) {
         control = control << 1 | bit;
     char text[512] = "";
     if (!to_ || !from_) return;
-    std::fprintf(to_, "%x %x %x %x %" PRIx64 "\n", control, static_cast<unsigned>(in.pins.cfg_addr),
-                 in.pins.cfg_data, static_cast<unsigned>(in.pins.count_addr), in.memory.data);
+    const auto &data = in.memory.data;
+    std::fprintf(to_, "%x %x %x %x %x ", control, static_cast<unsigned>(in.pins.cfg_addr),
+                 in.pins.cfg_data, static_cast<unsigned>(in.pins.count_addr), in.memory.tag);
+    for (size_t i = data.size(); i--;)
+        std::fprintf(to_, "%016" PRIx64, data[i]);
+    std::fprintf(to_, "\n");
     std::fflush(to_);
     if (!std::fgets(text, sizeof text, from_)) return complain("vvp is gone", "");
     if (cycle() == 0) { /* before the first edge of a reset nothing is known */

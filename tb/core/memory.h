@@ -1,9 +1,10 @@
-/* memory.h - the memory behind the core: late, in order, and as unwilling as asked
+/* memory.h - the memory behind the core: late, and as unwilling as asked
  * SPDX-License-Identifier: Apache-2.0
  *
- * A request for a line is answered by four beats of 64 bits, low bits first, the first of them
- * `latency` clocks later or after the answers before it. With stall = P percent, each request is
- * late by a random time in P of 100 cases, and ready and valid are held low in P of 100 clocks.
+ * A request for a line is answered by beats of 64, 128 or 256 bits, low bits first, the first of
+ * them `latency` clocks later or after the answers before it. With stall = P percent, each request
+ * is late by a random time in P of 100 cases, ready and valid are held low in P of 100 clocks, and
+ * P of 100 beats are of any client: its first line, if it is due, although others are before it.
  *
  *   request taken in clock c  ->  c + latency: beat 0, 1, 2, 3 of the line (one a clock)
  *
@@ -17,6 +18,7 @@
 #ifndef TB_MEMORY_H
 #define TB_MEMORY_H
 
+#include <array>
 #include <cstddef>
 #include <deque>
 #include <memory>
@@ -31,16 +33,19 @@
 class Memory {
   public:
     Memory(const sph_machine &machine, const Options &o, uint64_t seed);
+    /* Bits of a beat, 64 unless this says 128 or 256. */
+    void width(size_t bits) { words_ = static_cast<unsigned>(bits / 64); }
 
     /* What the core sees in this clock. */
     struct Offer {
         bool request_ready, response_valid, error;
-        uint64_t data; /* beat */
+        uint32_t tag;
+        std::array<uint64_t, Dram::BEATS> data; /* beat */
     };
     const Offer &offer();
 
-    /* What happened in this clock: request_line is looked at if a request was taken. */
-    void take(bool request_valid, uint32_t request_line, bool response_ready);
+    /* What happened in this clock: a request's line and tag are looked at if it was taken. */
+    void take(bool request_valid, uint32_t line, uint32_t tag, bool response_ready);
 
     /* A reset of memory: what was asked for is forgotten. */
     void reset();
@@ -49,8 +54,8 @@ class Memory {
     const sph_machine &machine() const { return *machine_; }
     /* From now on the lines marked by their number answer with an error; empty: none. */
     void spoil(std::vector<bool> lines) { spoilt_ = std::move(lines); }
-    /* Of the request-th line from now, from 0, the beats of a mask (1: the first) come with an
-     * error and with other data; a mask of 0: none. */
+    /* Of the request-th line from now, from 0, the words of 64 bits of a mask (1: the first) come
+     * with an error and with other data, as do those of their beats; a mask of 0: none. */
     void spoil_beats(uint64_t request, unsigned beats) {
         beats_of_ = requests_ + request;
         beats_ = beats;
@@ -74,11 +79,13 @@ class Memory {
 
   private:
     struct Request {
-        uint32_t line;
-        Dram::Beats due; /* of each beat */
-        unsigned errors; /* a bit a beat */
+        uint32_t line, tag;
+        Dram::Beats due; /* of each word of 64 bits */
+        unsigned errors; /* a bit a word */
+        unsigned sent;   /* words */
     };
     static const size_t PART_LINES = 8;
+    size_t choose();
     bool spoilt(uint32_t line) const { return line < spoilt_.size() && spoilt_[line]; }
 
     const sph_machine *machine_;
@@ -89,11 +96,12 @@ class Memory {
     int latency_, stall_;
     int64_t error_at_;
     Random random_;
+    unsigned words_ = 1;         /* of a beat */
     std::unique_ptr<Dram> dram_; /* null: any number of lines, a beat a clock */
     std::deque<Request> queue_;
-    Offer now_ = {false, false, false, 0};
+    Offer now_{};
+    size_t shown_ = 0; /* the request in the queue whose beat is offered */
     uint64_t clock_ = 0, requests_ = 0, out_of_range_ = 0, refused_ = 0;
-    unsigned beat_ = 0; /* of the line at the queue's front */
 };
 
 #endif

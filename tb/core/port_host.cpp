@@ -47,7 +47,7 @@ void PortHost::hold_rules(const Inputs &in, const Outputs &out) {
     const Seen &now = out.seen;
     if (!rst) {
         hold("mem_req", request_, out.req_valid, in.memory.request_ready,
-             {false, static_cast<int>(out.req_line), 0, {}});
+             {false, static_cast<int>(out.req_line), static_cast<int>(out.req_tag), {}});
         hold("pix", pixel_, out.pix_valid, in.pix_ready, {false, out.x, out.y, out.pixel});
         if (idle && out.req_valid) wrong("an idle core asks for a line");
         if (idle && out.pix_valid) wrong("an idle core gives a pixel");
@@ -78,7 +78,7 @@ Host::Seen PortHost::clock() {
             wrong("the frame mux shows another frame than FRAME says");
         pixel(out.x, out.y, out.pixel);
     }
-    memory_.take(out.req_valid && !pins.rst, out.req_line, out.rsp_ready);
+    memory_.take(out.req_valid && !pins.rst, out.req_line, out.req_tag, out.rsp_ready);
     if (before_.busy && !out.seen.busy && !pins.rst && memory_.waiting())
         wrong("busy_o falls, and memory owes lines");
     before_ = out.seen;

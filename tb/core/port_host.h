@@ -28,7 +28,7 @@ class PortHost : public Host {
     struct Outputs {
         /* before the edge */
         bool req_valid, rsp_ready, pix_valid;
-        uint32_t req_line, pix_frame;
+        uint32_t req_line, req_tag, pix_frame;
         int x, y;
         sph_pixel pixel;
         /* behind it */

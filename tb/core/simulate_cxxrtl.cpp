@@ -4,6 +4,7 @@
  * Compiled with what `write_cxxrtl` made of rt_core. Registers start with what they are initialised
  * to, memories with zeros.
  */
+#include <cstring>
 #include <vector>
 
 #include "core.cpp"
@@ -32,6 +33,7 @@ template <class T> uint64_t word(const T &port) {
 class CxxrtlCore : public PortHost {
   public:
     CxxrtlCore(const Options &o, const sph_machine &machine, Run &run) : PortHost(o, machine, run) {
+        memory().width(BEAT);
         pins.rst = true;
         for (int i = 0; i < RESET; i++)
             clock();
@@ -40,6 +42,8 @@ class CxxrtlCore : public PortHost {
 
   private:
     static const int RESET = 4; /* clocks */
+    static const unsigned BEAT =
+        8 * sizeof std::declval<cxxrtl_design::p_rt__core>().p_mem__rsp__data__i.data;
     void step(const Inputs &in, Outputs &out) override {
         core_.p_clk.set(false);
         core_.p_rst.set(in.pins.rst);
@@ -51,12 +55,14 @@ class CxxrtlCore : public PortHost {
         core_.p_count__addr__i.set(static_cast<uint8_t>(in.pins.count_addr & 31));
         core_.p_mem__req__ready__i.set(in.memory.request_ready);
         core_.p_mem__rsp__valid__i.set(in.memory.response_valid);
-        core_.p_mem__rsp__data__i.set(in.memory.data);
+        core_.p_mem__rsp__tag__i.set(static_cast<uint8_t>(in.memory.tag));
+        std::memcpy(core_.p_mem__rsp__data__i.data, in.memory.data.data(), BEAT / 8);
         core_.p_mem__rsp__error__i.set(in.memory.error);
         core_.p_pix__ready__i.set(in.pix_ready);
         core_.step();
         out.req_valid = word(core_.p_mem__req__valid__o) != 0;
         out.req_line = static_cast<uint32_t>(word(core_.p_mem__req__line__o));
+        out.req_tag = static_cast<uint32_t>(word(core_.p_mem__req__tag__o));
         out.rsp_ready = word(core_.p_mem__rsp__ready__o) != 0;
         out.pix_valid = word(core_.p_pix__valid__o) != 0;
         out.x = static_cast<int>(word(core_.p_pix__x__o));

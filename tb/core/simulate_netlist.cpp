@@ -31,6 +31,7 @@ class NetlistCore : public PortHost {
             fail(run, "%s", error_.c_str());
             return;
         }
+        memory().width(core_.bits("mem_rsp_data_i"));
         pins.rst = true;
         for (int i = 0; i < RESET; i++)
             clock();
@@ -77,7 +78,9 @@ class NetlistCore : public PortHost {
         core_.set("count_addr_i", static_cast<uint64_t>(in.pins.count_addr));
         core_.set("mem_req_ready_i", in.memory.request_ready);
         core_.set("mem_rsp_valid_i", in.memory.response_valid);
-        core_.set("mem_rsp_data_i", in.memory.data);
+        core_.set("mem_rsp_tag_i", in.memory.tag);
+        for (size_t i = 0; i < in.memory.data.size(); i++)
+            core_.set("mem_rsp_data_i", in.memory.data[i], 64 * i);
         core_.set("mem_rsp_error_i", in.memory.error);
         core_.set("pix_ready_i", in.pix_ready);
         core_.settle();
@@ -88,6 +91,7 @@ class NetlistCore : public PortHost {
         }
         out.req_valid = core_.get("mem_req_valid_o") != 0;
         out.req_line = static_cast<uint32_t>(core_.get("mem_req_line_o"));
+        out.req_tag = static_cast<uint32_t>(core_.get("mem_req_tag_o"));
         out.rsp_ready = core_.get("mem_rsp_ready_o") != 0;
         out.pix_valid = core_.get("pix_valid_o") != 0;
         out.x = static_cast<int>(core_.get("pix_x_o"));

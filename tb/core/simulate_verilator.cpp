@@ -73,9 +73,10 @@ void Bench::hang(const char *why, uint64_t last_pixel) {
          static_cast<ull>(run_.window.x1 - run_.window.x0) *
              static_cast<ull>(run_.window.y1 - run_.window.y0),
          static_cast<ull>(last_pixel));
-    fail(run_, "  busy %d, errors 0x%02x, mem_req valid %d line %u, mem_rsp valid %d ready %d",
-         p.busy_o, p.errors_o, p.mem_req_valid_o, p.mem_req_line_o, p.mem_rsp_valid_i,
-         p.mem_rsp_ready_o);
+    fail(run_,
+         "  busy %d, errors 0x%02x, mem_req valid %d line %u tag %u, mem_rsp valid %d ready %d",
+         p.busy_o, p.errors_o, p.mem_req_valid_o, p.mem_req_line_o, p.mem_req_tag_o,
+         p.mem_rsp_valid_i, p.mem_rsp_ready_o);
     fail(run_, "  pix valid %d (%d %d), memory owes %zu of %llu lines", p.pix_valid_o, p.pix_x_o,
          p.pix_y_o, core_.memory().waiting(), static_cast<ull>(core_.memory().requests()));
     static const char *const names[] = {SPH_COUNTER_NAMES};

@@ -79,6 +79,23 @@ bool follow(const Options &o, const sph_machine &machine, Outcome &c, std::strin
     return true;
 }
 
+/* Can this simulator do what is asked for, and does the memory hold the machine? */
+bool can(const Options &o, const sph_machine &machine, std::string &error) {
+    const std::string simulator = simulator_name;
+    const DramPart *part = dram_part(o.memory);
+    if (part && simulator == "icarus")
+        return error = "--memory " + o.memory + ": Icarus has memory 'ideal' alone", false;
+    if (part && machine.lines > Dram::bytes(*part) / Dram::LINE_BYTES)
+        return error = "the machine has " + std::to_string(machine.lines) +
+                       " lines of memory, more than --memory " + o.memory + " holds",
+               false;
+    if (!o.toggles.empty() && simulator != "netlist")
+        return error = "--toggles: only a netlist is counted (SIM=ecp5)", false;
+    if (o.gated && simulator != "netlist" && simulator != "verilator")
+        return error = "--gated: not in " + simulator + ", whose clock does not stop", false;
+    return true;
+}
+
 int one_life(const Options &o, sph_machine &machine, const Window &window) {
     auto run = std::make_unique<Run>();
     std::string error;
@@ -106,19 +123,7 @@ int main(int argc, char **argv) {
         return 0;
     }
 
-    if (const DramPart *part = dram_part(o.memory)) {
-        if (std::string(simulator_name) == "icarus")
-            return complain("--memory " + o.memory + ": Icarus has memory 'ideal' alone");
-        if (machine.lines > Dram::bytes(*part) / Dram::LINE_BYTES)
-            return complain("the machine has " + std::to_string(machine.lines) +
-                            " lines of memory, more than --memory " + o.memory + " holds");
-    }
-
-    const std::string simulator = simulator_name;
-    if (!o.toggles.empty() && simulator != "netlist")
-        return complain("--toggles: only a netlist is counted (SIM=ecp5)");
-    if (o.gated && simulator != "netlist" && simulator != "verilator")
-        return complain("--gated: not in " + simulator + ", whose clock does not stop");
+    if (!can(o, machine, error)) return complain(error);
     if (o.pixel[0] >= 0 && !follow(o, machine, c, error)) return complain(error);
     if (o.life) return one_life(o, machine, c.window);
 

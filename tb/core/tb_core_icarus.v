@@ -18,7 +18,7 @@ module tb_core_icarus #(
     `include "rt_core_parameters.vh"
 );
     localparam N_REGS = `RT_N_REGS;
-    localparam QUEUE = 1024;   // requests under way
+    localparam QUEUE = 1024;   // requests under way, more than MEM_PENDING
 
     reg clk = 1'b0;
     reg rst = 1'b1;
@@ -30,12 +30,14 @@ module tb_core_icarus #(
     reg req_ready = 1'b0;
     reg rsp_valid = 1'b0;
     reg rsp_error = 1'b0;
-    reg [63:0] rsp_data = 64'd0;
+    reg [4:0] rsp_tag = 5'd0;
+    reg [MEM_DATA-1:0] rsp_data = {MEM_DATA{1'b0}};
     reg pix_ready = 1'b0;
     reg [4:0] count_addr = 5'd0;
     wire busy;
     wire req_valid;
     wire [25:0] req_line;
+    wire [4:0] req_tag;
     wire rsp_ready;
     wire pix_valid;
     wire [13:0] pix_x;
@@ -57,8 +59,8 @@ module tb_core_icarus #(
         .cfg_valid_i(cfg_valid), .cfg_addr_i(cfg_addr), .cfg_data_i(cfg_data),
         .start_i(start), .keep_cache_i(keep), .busy_o(busy), .active_o(active),
         .mem_req_valid_o(req_valid), .mem_req_ready_i(req_ready), .mem_req_line_o(req_line),
-        .mem_rsp_valid_i(rsp_valid), .mem_rsp_ready_o(rsp_ready), .mem_rsp_data_i(rsp_data),
-        .mem_rsp_error_i(rsp_error),
+        .mem_req_tag_o(req_tag), .mem_rsp_valid_i(rsp_valid), .mem_rsp_ready_o(rsp_ready),
+        .mem_rsp_tag_i(rsp_tag), .mem_rsp_data_i(rsp_data), .mem_rsp_error_i(rsp_error),
         .pix_valid_o(pix_valid), .pix_ready_i(pix_ready), .pix_x_o(pix_x), .pix_y_o(pix_y),
         .pix_colour_o(pix_colour), .pix_id_o(pix_id), .pix_key_o(pix_key),
         .pix_visits_o(pix_visits), .pix_texture_o(pix_texture), .pix_frame_o(pix_frame),
@@ -102,39 +104,53 @@ module tb_core_icarus #(
     end
 `include "icarus_pins.vh"
 
-    // ---- memory: in order, `latency` clocks late, random waits; data even with an error ----
+    // ---- memory: `latency` clocks late; data even with an error. With stalls, random waits, and
+    // beats of any tag: of its first line, if that is due ----
     reg [25:0] q_line [0:QUEUE-1];
+    reg [4:0] q_tag [0:QUEUE-1];
     integer q_due [0:QUEUE-1];
     reg q_error [0:QUEUE-1];
-    integer head, tail, beat, cycle, requests, quiet;
+    integer q_beat [0:QUEUE-1];          // beats that came of it
+    integer size, at, tag, cycle, requests, quiet;
     reg offered;
     reg cut = 1'b0;            // this frame is going to be cut off
     reg spoilt = 1'b0;         // lines from `spoil` on answer with an error
     time begun, last;          // start was taken, the last pixel was given
     reg [255:0] line;
     initial begin
-        head = 0; tail = 0; beat = 0; cycle = 0; requests = 0; quiet = 0; offered = 1'b0;
+        size = 0; at = 0; cycle = 0; requests = 0; quiet = 0; offered = 1'b0;
     end
 
     always @(posedge clk) if (!driven) begin
         // what happened in this clock
         if (rsp_valid && rsp_ready) begin
             offered = 1'b0;
-            beat = (beat + 1) % 4;
-            if (beat == 0) head = (head + 1) % QUEUE;
+            q_beat[at] = q_beat[at] + 1;
+            if (q_beat[at] == 256 / MEM_DATA) begin
+                size = size - 1;
+                for (at = at; at < size; at = at + 1) begin
+                    q_line[at] = q_line[at+1];
+                    q_tag[at] = q_tag[at+1];
+                    q_due[at] = q_due[at+1];
+                    q_error[at] = q_error[at+1];
+                    q_beat[at] = q_beat[at+1];
+                end
+            end
             quiet = 0;
         end
         if (!rst && req_valid && req_ready) begin
-            q_line[tail] = req_line;
-            q_due[tail] = cycle + latency;
+            q_line[size] = req_line;
+            q_tag[size] = req_tag;
+            q_due[size] = cycle + latency;
             if ({$random(seed)} % 100 < stall)
-                q_due[tail] = q_due[tail] + {$random(seed)} % (2 * latency + 16);
-            q_error[tail] = requests == error_at || req_line >= regs[`RT_REG_MEM_LINES] ||
+                q_due[size] = q_due[size] + {$random(seed)} % (2 * latency + 16);
+            q_error[size] = requests == error_at || req_line >= regs[`RT_REG_MEM_LINES] ||
                             (spoilt && req_line >= spoil);
+            q_beat[size] = 0;
             if (req_line >= regs[`RT_REG_MEM_LINES])
                 $fwrite(out, "h request for line %0d\n", req_line);
             requests = requests + 1;
-            tail = (tail + 1) % QUEUE;
+            size = size + 1;
         end
         quiet = quiet + 1;
         if (!rst && pix_valid && pix_ready && !cut) begin
@@ -145,18 +161,24 @@ module tb_core_icarus #(
             last = $time;
         end
         if (rst) begin         // memory is reset with the core
-            head = tail;
-            beat = 0;
+            size = 0;
             offered = 1'b0;
         end
         // what the next clock shows
         cycle = cycle + 1;
-        if (!offered && head != tail && q_due[head] <= cycle &&
-                {$random(seed)} % 100 >= stall) begin
-            offered = 1'b1;
-            line = mem[q_line[head]];
-            rsp_data <= line[64*beat +: 64];
-            rsp_error <= q_error[head];
+        if (!offered && size != 0) begin
+            at = 0;
+            if ({$random(seed)} % 100 < stall) begin
+                tag = q_tag[{$random(seed)} % size];
+                while (q_tag[at] != tag) at = at + 1;
+            end
+            if (q_due[at] <= cycle && {$random(seed)} % 100 >= stall) begin
+                offered = 1'b1;
+                line = mem[q_line[at]];
+                rsp_tag <= q_tag[at];
+                rsp_data <= line[MEM_DATA*q_beat[at] +: MEM_DATA];
+                rsp_error <= q_error[at];
+            end
         end
         rsp_valid <= offered;
         req_ready <= {$random(seed)} % 100 >= stall;
@@ -204,7 +226,7 @@ module tb_core_icarus #(
             if (busy) $fwrite(out, "g no progress for %0d clocks: ", quiet,
                               "mem_req valid %b line %0d, ", req_valid, req_line,
                               "mem_rsp valid %b ready %b, memory owes %0d lines, pix valid %b\n",
-                              rsp_valid, rsp_ready, (tail - head + QUEUE) % QUEUE, pix_valid);
+                              rsp_valid, rsp_ready, size, pix_valid);
             show(`RT_COUNT_CYCLES);    // at once: the last one to be complete
             $fwrite(out, "k %h\n", (last - begun) / 10);
             for (i = 0; i < `RT_COUNTERS; i = i + 1) show(i);

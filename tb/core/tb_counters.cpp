@@ -10,7 +10,7 @@
 namespace {
 
 constexpr int COUNTERS = PLACES < SPH_COUNTERS ? PLACES : SPH_COUNTERS, READ = 32;
-constexpr int COMPLETE = PLACES + 2; /* clocks to wait */
+constexpr int COMPLETE = PLACES + 3; /* clocks to wait */
 
 /* What a run of clocks adds. */
 enum { NONE, ALL_MOST, ONE_EACH, ONE_COUNTER, LAST_CLOCK, AT_RANDOM, HOWS };

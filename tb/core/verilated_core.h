@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 
 #include "Vrt_core.h"
 #include "port_host.h"
@@ -38,6 +39,7 @@ class VerilatedCore : public PortHost {
 
   private:
     static const int RESET = 8; /* clocks */
+    static const unsigned BEAT = 8 * sizeof Vrt_core::mem_rsp_data_i;
     void step(const Inputs &in, Outputs &out) override;
 
     VerilatedContext context_;
@@ -57,6 +59,7 @@ class VerilatedCore : public PortHost {
 
 inline VerilatedCore::VerilatedCore(const Options &o, const sph_machine &machine, Run &run)
     : PortHost(o, machine, run) {
+    memory().width(BEAT);
     context_.randReset(2); /* registers without reset start with noise */
     context_.randSeed(static_cast<int>(o.seed % 2147483647 + 1));
     context_.traceEverOn(!o.trace.empty());
@@ -71,8 +74,8 @@ inline VerilatedCore::VerilatedCore(const Options &o, const sph_machine &machine
 #endif
     }
     if (const DramPart *part = dram_part(o.memory))
-        line_clocks_ =
-            Dram::LINE_BYTES / std::min(8.0, Dram::peak(*part, static_cast<unsigned>(o.core_mhz)));
+        line_clocks_ = Dram::LINE_BYTES /
+                       std::min(BEAT / 8.0, Dram::peak(*part, static_cast<unsigned>(o.core_mhz)));
     pins.rst = true;
     {
         Silence silence;
@@ -113,7 +116,8 @@ inline void VerilatedCore::step(const Inputs &in, Outputs &out) {
     core_->count_addr_i = static_cast<uint8_t>(in.pins.count_addr);
     core_->mem_req_ready_i = in.memory.request_ready;
     core_->mem_rsp_valid_i = in.memory.response_valid;
-    core_->mem_rsp_data_i = in.memory.data;
+    core_->mem_rsp_tag_i = static_cast<uint8_t>(in.memory.tag);
+    std::memcpy(&core_->mem_rsp_data_i, in.memory.data.data(), BEAT / 8);
     core_->mem_rsp_error_i = in.memory.error;
     core_->pix_ready_i = in.pix_ready;
     core_->eval();
@@ -134,6 +138,7 @@ inline void VerilatedCore::step(const Inputs &in, Outputs &out) {
     if (work_) work_->clock();
     out.req_valid = core_->mem_req_valid_o;
     out.req_line = core_->mem_req_line_o;
+    out.req_tag = core_->mem_req_tag_o;
     out.rsp_ready = core_->mem_rsp_ready_o;
     out.pix_valid = core_->pix_valid_o;
     out.x = core_->pix_x_o;

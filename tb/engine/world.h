@@ -148,26 +148,13 @@ class World {
     /* The registers, as rt_core gives them. */
     template <class Port> void put_regs(Port &port) const {
         const int32_t *r = m.regs;
-        auto put = [&](int lsb, int bits, int reg) { bench::put(port, lsb, bits, r[reg]); };
-        put(RT_REGS_EFFECTS, SPH_REG_EFFECTS);
-        put(RT_REGS_TEX_FILTER, SPH_REG_TEX_FILTER);
-        put(RT_REGS_MAX_DEPTH, SPH_REG_MAX_DEPTH);
-        put(RT_REGS_LEAST, SPH_REG_LEAST_WEIGHT);
-        put(RT_REGS_N_LIGHTS, SPH_REG_N_LIGHTS);
-        put(RT_REGS_BACKGROUND, SPH_REG_BG_COLOUR);
-        put(RT_REGS_ROOT, SPH_REG_ROOT);
-        put(RT_REGS_PRIM_BASE, SPH_REG_PRIM_BASE);
-        put(RT_REGS_MEM_LINES, SPH_REG_MEM_LINES);
-        put(RT_REGS_VISIT_LIMIT, SPH_REG_VISIT_LIMIT);
-        put(RT_REGS_N_PRIMS, SPH_REG_N_PRIMS);
-        put(RT_REGS_LEAF_BASE, SPH_REG_LEAF_BASE);
-        put(RT_REGS_N_LOOSE, SPH_REG_N_LOOSE);
-        for (int i = 0; i < 3; i++) {
-            bench::put(port, first_bit(RT_REGS_AMBIENT) + 16 * i, 16, r[SPH_REG_AMBIENT_R + i]);
-            bench::put(port, first_bit(RT_REGS_EYE) + W * i, W, r[SPH_REG_EYE_X + i]);
-        }
-        for (int i = 0; i < 6; i++)
-            bench::put(port, first_bit(RT_REGS_BOX) + (W + 2) * i, W + 2, r[SPH_REG_BOX_X0 + i]);
+        auto put = [&](int lsb, int bits, int first, int count) {
+            for (int i = 0; i < count; i++)
+                bench::put(port, lsb + bits / count * i, bits / count, r[first + i]);
+        };
+#define PUT(name, first, count, built) put(RT_REGS_##name, SPH_REG_##first, count);
+        RT_REGS_EACH(PUT)
+#undef PUT
     }
 
     /* A primary ray of any pixel, or from anywhere in the grid: to a light, or reflected. */

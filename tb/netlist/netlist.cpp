@@ -120,6 +120,11 @@ void Netlist::edge() {
         net[flops_[i].q] = next_[i];
 }
 
+size_t Netlist::bits(const std::string &port) const {
+    const auto found = ports_.find(port);
+    return found == ports_.end() ? 0 : found->second.size();
+}
+
 void Netlist::tally(std::vector<Switching> *sums) {
     const uint8_t *net = net_.data();
     std::vector<Switching> unseen;
@@ -137,9 +142,10 @@ void Netlist::tally(std::vector<Switching> *sums) {
     before_ = net_;
 }
 
-void Netlist::set(const std::string &port, uint64_t value) {
-    for (Net net : ports_[port]) {
-        net_[net] = value & 1;
+void Netlist::set(const std::string &port, uint64_t value, size_t lsb) {
+    const Nets &nets = ports_[port];
+    for (size_t i = lsb; i < nets.size() && i < lsb + 64; i++) {
+        net_[nets[i]] = value & 1;
         value >>= 1;
     }
 }

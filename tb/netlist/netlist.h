@@ -61,8 +61,9 @@ class Netlist {
   public:
     /* error says why the file cannot be simulated; empty: it can. */
     Netlist(const std::string &file, std::string &error);
-    void set(const std::string &port, uint64_t value);
-    uint64_t get(const std::string &port, size_t lsb = 0) const; /* up to 64 bits from lsb */
+    size_t bits(const std::string &port) const;
+    void set(const std::string &port, uint64_t value, size_t lsb = 0); /* up to 64 from lsb */
+    uint64_t get(const std::string &port, size_t lsb = 0) const;       /* up to 64 bits from lsb */
     void settle();
     void edge();
     /* "LUT4 6349, ...", "none" */

@@ -336,7 +336,7 @@ void came(Bench &b, const Source &source, const long met[2][2][2], long passed, 
 } // namespace
 
 int main(int argc, char **argv) {
-    bench::Bench<Vrt_facet> b("tb_facet", argc, argv, 50000);
+    bench::Bench<Vrt_facet> b("tb_facet", argc, argv, 60000);
     Source source(b.random, b.seed);
     if (hard::alone()) b.target = (long)source.named();
     if (hard::alone() && !b.target) b.fail("the case has no vector for this bench");

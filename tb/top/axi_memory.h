@@ -65,8 +65,9 @@ template <class Data> uint64_t word64(const Data &data, int i) {
     return (uint64_t)(bench::get(data) >> 64 * i);
 }
 
-/* The ports of a master that reads, by their names. */
+/* The ports of a master that reads, by their names; its IDs may be variables, if it has none. */
 template <class Bit, class Word, class Byte, class Data> struct ReadPorts {
+    Byte &arid, &rid;
     Bit &arvalid, &arready;
     Word &araddr;
     Byte &arlen;
@@ -75,14 +76,16 @@ template <class Bit, class Word, class Byte, class Data> struct ReadPorts {
     Byte &rresp;
     Bit &rlast;
 };
-#define READ_PORTS(dut, name)                                                                      \
+#define READ_PORTS(dut, name, arid, rid)                                                           \
     ReadPorts<decltype(dut.name##_arvalid), decltype(dut.name##_araddr),                           \
               decltype(dut.name##_arlen), decltype(dut.name##_rdata)> {                            \
-        dut.name##_arvalid, dut.name##_arready, dut.name##_araddr, dut.name##_arlen,               \
+        arid, rid, dut.name##_arvalid, dut.name##_arready, dut.name##_araddr, dut.name##_arlen,    \
             dut.name##_rvalid, dut.name##_rready, dut.name##_rdata, dut.name##_rresp,              \
             dut.name##_rlast                                                                       \
     }
 
+/* Bursts of one ID are answered in their order. With stalls, beats are of any burst that is the
+ * first of its ID. */
 class ReadSide : public Channel {
   public:
     Manner manner;
@@ -99,45 +102,50 @@ class ReadSide : public Channel {
     void reset() {
         queue_.clear();
         offered_ = false;
-        beat_ = 0;
         forget();
     }
     template <class Ports> void offer(const Ports &t) {
         clock_++;
         t.arready = !in_reset && !(deaf() && manner.refuses) && !random_.percent(manner.stall);
-        bool may = !queue_.empty() && queue_.front().due <= clock_ && !queue_.front().never;
-        if (may && !offered_) offered_ = !random_.percent(manner.stall);
+        if (!offered_ && !queue_.empty()) {
+            shown_ = choose();
+            const Burst &b = queue_[shown_];
+            offered_ = b.due <= clock_ && !b.never && !random_.percent(manner.stall);
+        }
         t.rvalid = offered_;
-        t.rresp = (uint8_t)random_.below(4); /* noise where it must not matter */
-        bench::set(t.rdata, DATA, (bench::i128)random_.bits(DATA));
+        t.rid = (uint8_t)random_.next(); /* noise where it must not matter */
+        t.rresp = (uint8_t)random_.below(4);
         t.rlast = random_.percent(50);
+        const unsigned bytes = sizeof t.rdata;
+        auto *data = (uint8_t *)&t.rdata;
+        for (unsigned i = 0; i < bytes; i++)
+            data[i] = (uint8_t)random_.next();
         if (!offered_) return;
-        const Burst &b = queue_.front();
-        bench::u128 data = 0;
-        memcpy(&data, &bytes_[(b.address + beat_ * (DATA / 8)) % bytes_.size()], DATA / 8);
-        bench::set(t.rdata, DATA, (bench::i128)data);
-        t.rlast = beat_ + 1 == b.beats;
+        const Burst &b = queue_[shown_];
+        memcpy(data, &bytes_[(b.address + b.sent * bytes) % bytes_.size()], bytes);
+        t.rid = b.id;
+        t.rlast = b.sent + 1 == b.beats;
         t.rresp = (uint8_t)((int64_t)answers == manner.error_at ? manner.error : (int)OKAY);
     }
     template <class Ports> void take(const Ports &t) {
         if (in_reset) return;
         const bool moves = t.rvalid || (t.arvalid && t.arready);
         silent = (t.arvalid || !queue_.empty()) && !moves ? silent + 1 : 0;
-        stable("AR", 0, t.arvalid, t.arready, (uint64_t)t.araddr << 8 | t.arlen);
+        stable("AR", 0, t.arvalid, t.arready,
+               (uint64_t)t.arid << 40 | (uint64_t)t.araddr << 8 | t.arlen);
         if (t.arvalid && t.arready) {
             unsigned beats = t.arlen + 1u;
-            burst("AR", t.araddr, beats, DATA / 8);
+            burst("AR", t.araddr, beats, sizeof t.rdata);
             uint64_t late =
                 manner.latency + (random_.percent(manner.stall) ? random_.below(60) : 0);
-            queue_.push_back({t.araddr, beats, clock_ + late, deaf()});
+            queue_.push_back({t.arid, t.araddr, beats, 0, clock_ + late, deaf()});
             requests++;
         }
         if (!offered_ || !t.rready) return;
         offered_ = false;
         answers++;
-        if (++beat_ < queue_.front().beats) return;
-        beat_ = 0;
-        queue_.pop_front();
+        Burst &b = queue_[shown_];
+        if (++b.sent == b.beats) queue_.erase(queue_.begin() + (ptrdiff_t)shown_);
     }
     /* From now on what was never to be answered is. */
     void revive() {
@@ -148,16 +156,25 @@ class ReadSide : public Channel {
 
   private:
     struct Burst {
+        uint8_t id;
         uint32_t address;
-        unsigned beats;
+        unsigned beats, sent;
         uint64_t due;
         bool never;
     };
+    size_t choose() {
+        size_t i = 0;
+        if (!random_.percent(manner.stall)) return i;
+        const uint8_t id = queue_[random_.below(queue_.size())].id;
+        while (queue_[i].id != id)
+            i++;
+        return i;
+    }
     std::vector<uint8_t> &bytes_;
     bench::Random &random_;
     std::deque<Burst> queue_;
     bool offered_ = false;
-    unsigned beat_ = 0;
+    size_t shown_ = 0; /* the burst whose beat is offered */
     uint64_t clock_ = 0;
 };
 

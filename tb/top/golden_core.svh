@@ -1,6 +1,6 @@
     // The golden model behind the ports of rt_core: make/rt_top.mk puts this behind the head of
-    // rt_core.v. A frame: all lines are read twice over the bus, then come pixels, one in
-    // seven clocks.
+    // rt_core.v. A frame: all lines are read twice over the bus, with every tag in turn, then come
+    // pixels, one in seven clocks.
     // SPDX-License-Identifier: Apache-2.0
     import "DPI-C" function void golden_register(input int number, input int value);
     import "DPI-C" function int golden_lines(input int keep);
@@ -10,16 +10,24 @@
         output int rendering, output int l1, output int l2, output int chosen);
     import "DPI-C" function longint golden_count(input int number);
 
+    localparam TAGS = 4, BEATS = 256 / MEM_DATA;
     localparam IDLE = 2'd0, READ = 2'd1, DRAW = 2'd2, PIXELS = 2'd3;
     reg [1:0]  state_q;
     reg [31:0] lines_q, asked_q, beats_q, pixel_q;
+    reg [31:0] tag_beats_q [0:TAGS-1];   // that came for it
     reg        bad_q, pix_valid_q;
     reg [2:0]  wait_q;
     reg [47:0] count_q;
+    // request n has tag n % TAGS; this is the one whose beat comes
+    wire [31:0] tag  = 32'(mem_rsp_tag_i) % TAGS;
+    wire [31:0] beat = tag_beats_q[tag];
+    wire [31:0] of   = tag + TAGS * (beat / BEATS);
     int        x, y, rendering, l1, l2, chosen;
     assign busy_o          = state_q != IDLE;
     assign active_o        = 1'b1;
-    assign mem_req_valid_o = state_q == READ && asked_q != 2 * lines_q;
+    assign mem_req_valid_o = state_q == READ && asked_q != 2 * lines_q &&
+                             BEATS * asked_q - beats_q < BEATS * MEM_DATA;
+    assign mem_req_tag_o   = `RT_TAG_BITS'(asked_q % TAGS);
     assign mem_req_line_o  = `RT_LINE_BITS'(asked_q < lines_q ? asked_q : asked_q - lines_q);
     assign mem_rsp_ready_o = state_q == READ && !wait_q[0];
     assign pix_valid_o     = pix_valid_q;
@@ -35,7 +43,7 @@
     always @(posedge clk) begin
         count_q <= 48'(golden_count(32'(count_addr_i)));
         wait_q  <= wait_q == 6 ? 0 : wait_q + 1'b1;
-        if (mem_rsp_valid_i && beats_q == 4 * asked_q && state_q == READ) begin
+        if (mem_rsp_valid_i && (mem_rsp_tag_i >= TAGS || of >= asked_q) && state_q == READ) begin
             $display("not ok - an answer that nobody asked for");
             $fatal(0);
         end
@@ -45,6 +53,7 @@
                 lines_q  <= golden_lines(32'(keep_cache_i));
                 asked_q  <= 0;
                 beats_q  <= 0;
+                for (int t = 0; t < TAGS; t++) tag_beats_q[t] <= 0;
                 bad_q    <= 1'b0;
                 errors_o <= 0;
                 state_q  <= READ;
@@ -52,11 +61,14 @@
             READ: begin
                 if (mem_req_valid_o && mem_req_ready_i) asked_q <= asked_q + 1;
                 if (mem_rsp_valid_i && mem_rsp_ready_o) begin
-                    golden_beat(beats_q % (4 * lines_q), mem_rsp_data_i);
+                    for (int w = 0; w < MEM_DATA / 64; w++)
+                        golden_beat(4 * (of % lines_q) + (beat % BEATS) * (MEM_DATA / 64) + w,
+                                    mem_rsp_data_i[64*w +: 64]);
+                    tag_beats_q[tag] <= beat + 1;
                     beats_q <= beats_q + 1;
                     bad_q   <= bad_q || mem_rsp_error_i;
                 end
-                if (beats_q == 8 * lines_q) state_q <= DRAW;
+                if (beats_q == 2 * BEATS * lines_q) state_q <= DRAW;
             end
             DRAW: begin
                 errors_o <= `RT_ERRORS'(golden_draw(32'(bad_q))) | `RT_ERRORS'(bad_q) << `RT_ERROR_BUS_ERROR;

@@ -43,6 +43,7 @@ module tb_show_icarus;
         always @(posedge clk) if (fr_we[i]) memory[fr_addr][16*i +: 16] <= fr_wdata[16*i +: 16];
     end endgenerate
     wire [1:0]    arvalid, arready, rvalid, rready, rlast, en;   // scene, display
+    wire [4:0]    arid, rid;              // of the scene, which is answered in order
     wire [31:0]   araddr [0:1];
     wire [7:0]    arlen [0:1];
     wire [AB-1:0] raddr [0:1];
@@ -56,6 +57,12 @@ module tb_show_icarus;
         always @(posedge clk) if (en[i]) rdata[i] <= memory[raddr[i]];
     end endgenerate
 
+    rt_fifo #(.WIDTH(5), .DEPTH(64)) u_ids (
+        .clk(clk), .rst(rst), .in_valid_i(arvalid[0] && arready[0]), .in_ready_o(),
+        .in_data_i(arid), .out_valid_o(), .out_ready_i(rvalid[0] && rready[0] && rlast[0]),
+        .out_data_o(rid)
+    );
+
     // ---- the block ----
     reg         awvalid = 1'b0, wvalid = 1'b0;
     reg  [11:0] awaddr;
@@ -68,11 +75,12 @@ module tb_show_icarus;
         .s_axil_wdata(wdata), .s_axil_wstrb(4'hf), .s_axil_bvalid(bvalid), .s_axil_bready(1'b1),
         .s_axil_bresp(), .s_axil_arvalid(1'b0), .s_axil_arready(), .s_axil_araddr(12'd0),
         .s_axil_rvalid(), .s_axil_rready(1'b0), .s_axil_rdata(), .s_axil_rresp(),
-        .m_scene_arvalid(arvalid[0]), .m_scene_arready(arready[0]), .m_scene_araddr(araddr[0]),
-        .m_scene_arlen(arlen[0]), .m_scene_arsize(), .m_scene_arburst(),
-        .m_scene_rvalid(rvalid[0]), .m_scene_rready(rready[0]), .m_scene_rdata(rdata[0]),
-        .m_scene_rresp(2'd0), .m_scene_rlast(rlast[0]), .m_frame_awvalid(fr_awvalid),
-        .m_frame_awready(fr_awready), .m_frame_awaddr(fr_awaddr), .m_frame_awlen(),
+        .m_scene_arvalid(arvalid[0]), .m_scene_arready(arready[0]), .m_scene_arid(arid),
+        .m_scene_araddr(araddr[0]), .m_scene_arlen(arlen[0]), .m_scene_arsize(),
+        .m_scene_arburst(), .m_scene_rvalid(rvalid[0]), .m_scene_rready(rready[0]),
+        .m_scene_rid(rid), .m_scene_rdata(rdata[0]), .m_scene_rresp(2'd0),
+        .m_scene_rlast(rlast[0]), .m_frame_awvalid(fr_awvalid), .m_frame_awready(fr_awready),
+        .m_frame_awaddr(fr_awaddr), .m_frame_awlen(),
         .m_frame_awsize(), .m_frame_awburst(), .m_frame_wvalid(fr_wvalid),
         .m_frame_wready(fr_wready), .m_frame_wdata(fr_wdata), .m_frame_wstrb(fr_wstrb),
         .m_frame_wlast(fr_wlast), .m_frame_bvalid(fr_bvalid), .m_frame_bready(fr_bready),

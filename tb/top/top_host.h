@@ -41,15 +41,16 @@ class TopHost {
     ~TopHost() { dut.final(); }
 
     void clock() {
-        scene.offer(READ_PORTS(dut, m_scene));
-        scan.offer(READ_PORTS(dut, m_scan));
+        scene.offer(READ_PORTS(dut, m_scene, dut.m_scene_arid, dut.m_scene_rid));
+        scan.offer(READ_PORTS(dut, m_scan, no_id_, no_id_));
+        no_id_ = 0;
         frame.offer(dut);
         dut.clk = 0;
         pixel_clock();
         dut.eval();
         if (!dut.rst) {
-            scene.take(READ_PORTS(dut, m_scene));
-            scan.take(READ_PORTS(dut, m_scan));
+            scene.take(READ_PORTS(dut, m_scene, dut.m_scene_arid, dut.m_scene_rid));
+            scan.take(READ_PORTS(dut, m_scan, no_id_, no_id_));
             frame.take(dut);
         }
         seen_ = {dut.s_axil_awvalid && dut.s_axil_awready,
@@ -153,6 +154,7 @@ class TopHost {
         uint32_t data;
         int bresp, rresp;
     } seen_ = {};
+    uint8_t no_id_ = 0; /* of the display */
     bool late(unsigned clocks) { return hangs = hangs || clocks > 5000; }
     void idle() {
         dut.s_axil_awvalid = dut.s_axil_wvalid = dut.s_axil_arvalid = 0;

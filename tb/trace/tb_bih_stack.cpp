@@ -226,7 +226,8 @@ void compare(Bench &b, const Outcome &now) {
 int main(int argc, char **argv) {
     bench::Bench<Vrt_bih_stack> b("tb_bih_stack", argc, argv, 200000);
     std::vector<Slot> slots(SLOTS);
-    Outcome next, now; /* of the token in stage 1; of that whose results are at the outputs */
+    /* of the token in stage 1, of that in stage 2, of that whose results are at the outputs */
+    Outcome next, after, now;
     long overflows = 0, bubbles = 0;
     b.dut.facets_on_i = WHOLE;
     b.dut.root_i = ROOT;
@@ -264,13 +265,13 @@ int main(int argc, char **argv) {
         bool read = b.dut.read_o;
         int slot = b.dut.slot_o;
         b.tick();
-        /* the outputs are of the token that was in stage 1 */
-        now = next;
+        now = after;
+        after = next;
         compare(b, now);
         overflows += now.valid && now.over;
         bubbles += now.valid && now.again;
         if (now.valid || b.bad()) b.done();
-        /* the token that was read: answered now, decided at the end of the next clock */
+        /* the token that was read: answered now, decided in the clock after the next */
         next.valid = false;
         if (read) {
             Slot &t = slots[(size_t)slot];

@@ -137,7 +137,7 @@ struct Port {
 /* The unit, its slots, and what is on the way. */
 class Run {
   public:
-    Run(int argc, char **argv) : b("tb_closest_hit", argc, argv, 800000) {
+    Run(int argc, char **argv) : b("tb_closest_hit", argc, argv, 1200000) {
         if (!hard::alone()) directed.assign(std::begin(corners), std::end(corners));
         hard::Source source(
             b.seed,

@@ -98,7 +98,8 @@ def textures():
 
 def between():
     """Values between the ends of which only some are legal."""
-    for name, values in (("HIT_INTERVAL", range(8, 13)), ("BOUNCE_INTERVAL", range(10, 13))):
+    for name, values in (("HIT_INTERVAL", range(8, 13)), ("BOUNCE_INTERVAL", range(10, 13)),
+                         ("MEM_PENDING", (0, 1, 8, 16, 64))):
         for value in values:
             yield [f"{name}={value}"], True
 

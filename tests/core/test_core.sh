@@ -124,6 +124,13 @@ wanted "verilator sphereflake2 draft four pipes" auto PIPES=4 \
 wanted "icarus overlap two pipes, one shading unit" all "SIM=icarus PIPES=2" "$overlap-5x4.sph" \
     --reg 0=31
 wanted "icarus inside three pipes" auto "SIM=icarus PIPES=3" "$overlap-5x4.sph"
+# Wider beats of memory, and fewer lines on their way.
+wanted "verilator sphereflake2 four pipes, beats of 256 bits" auto \
+    "PIPES=4 SIZES=mem_data=256" "$machines/sphereflake2-draft-32x24.sph"
+wanted "verilator sphereflake2 beats of 128 bits, 16 lines" auto \
+    "SIZES=mem_data=128,mem_pending=16" "$machines/sphereflake2-draft-32x24.sph"
+wanted "icarus overlap beats of 256 bits, 256 lines" all "SIM=icarus SIZES=mem_data=256" \
+    "$overlap-5x4.sph" --reg 0=31
 wanted "verilator sphereflake2 standard warm caches" all SIM=verilator \
     "$machines/sphereflake2-standard-32x24.sph" --warm
 # Triangles and planes: every profile; two engines; a core without rays inside spheres; lines that
@@ -210,6 +217,10 @@ wanted "verilator paper5, cut off in each clock" all SIM=verilator "$machines/cu
     --life --then "$machines/cut-inside.sph" --latency 2 --stall 5
 wanted "verilator interpenetrating, cut off" all SIM=verilator \
     "$machines/cut-interpenetrating.sph" --reg 0=31 --life --cuts 60
+wanted "verilator paper5, beats of 128 bits, cut off" auto "SIZES=mem_data=128" \
+    "$machines/cut-paper5.sph" --life --cuts 60
+wanted "icarus paper5, beats of 128 bits, trials" auto "SIM=icarus SIZES=mem_data=128" \
+    "$machines/cut-paper5.sph" --life --trials 6
 wanted "verilator facets, cut off" all SIM=verilator "$machines/cut-mixed.sph" \
     --life --then "$machines/cut-paper5.sph" --cuts 60
 for clock in 75 98 131:2 187 264:3; do

@@ -49,7 +49,7 @@ elaborate() { # icarus|verilator|yosys, alone|whole, NAME=VALUE...
     case $tool in
     icarus) iverilog -g2005 -Wall -t null $from $(printf ' -Prt_core.%s' "$@") -s rt_core $core ;;
     verilator)
-        $verilator --lint-only -Wall --error-limit 200 --language 1364-2005 $from \
+        $verilator --lint-only -Wall --error-limit 400 --language 1364-2005 $from \
             $(printf ' -G%s' "$@") --top-module rt_core $core
         ;;
     yosys)
@@ -156,6 +156,7 @@ LEAF_UNITS_and_SHADES_must_be_powers_of_two PIPES=4 LEAF_UNITS=3 SHADES=4 INTERP
 LEAF_UNITS_must_be_at_most_SHADES PIPES=4 LEAF_UNITS=4 SHADES=2 INTERPENETRATE=0
 SHADES_must_be_at_most_PIPES PIPES=1 SHADES=2 INTERPENETRATE=0
 INTERPENETRATE_needs_SHADES_to_be_1 PIPES=2 SHADES=2
+MEM_PENDING_must_be_0_or_16_and_more MEM_PENDING=8
 END
 check "legal: four pipes" silent icarus whole PIPES=4 LEAF_UNITS=4 SHADES=4 INTERPENETRATE=0
 

@@ -139,7 +139,7 @@ refused() { # CODE PATTERN OPTION...
     check "Icarus shows no stages" refused 2 "--pixel 3,4: only a core in Verilator" --pixel 3,4
     hang() {
         EFFECTS=auto sh sim/core.sh --machine "$TMP/paper5.sph" --pixel 8,6 \
-            --window 8,6,9,7 --max-cycles 150 >"$TMP/said" 2>&1
+            --window 8,6,9,7 --max-cycles 240 >"$TMP/said" 2>&1
         [ $? = 4 ] && grep -q '^ray 0 primary | hit ' "$TMP/said" &&
             grep -A 2 ', the first that differs:$' "$TMP/said" | grep '^  core:  no such line$'
     }

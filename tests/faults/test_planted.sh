@@ -66,7 +66,7 @@ told "an edit of nothing" 'list.txt:3: to: is what stands in cmodel/prim/leaf.c 
 told "a file that is none" 'list.txt:3: model: there is no cmodel/prim/laef.c; .*leaf.c is' \
     model 'model prim/laef.c'
 told "a judge that is none" 'list.txt:6: by: hrad is no judge; hard is meant?' by 'by hrad 1'
-told "a case that is none" 'list.txt:6: by: 82 is no named case, 1 to 81' by 'by hard 82'
+told "a case that is none" 'list.txt:6: by: 88 is no named case, 1 to 87' by 'by hard 88'
 told "a test that is none" 'list.txt:6: by: there is no test test_limit; test_limits is' \
     by 'by test test_limit'
 told "a bench that is none" 'by: there is no bench tb_laef/draft; tb_leaf/draft is meant?' \

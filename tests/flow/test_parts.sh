@@ -110,7 +110,7 @@ check "no other file of the model asks which kind a primitive is" named
 # ---- a primitive more ----
 sed -i 's/^kind   2      plane .*/&\nkind   3      wedge/' $def
 sed -e '/^\/\* v \/ 2^shift/,/^static int validate/{/^static int validate/!d}' \
-    -e 's/sph_prim_triangle/sph_prim_wedge/' \
+    -e 's/sph_prim_triangle/sph_prim_wedge/; s/sph_triangle_read/sph_wedge_read/' \
     cmodel/prim/triangle.c >cmodel/prim/wedge.c
 sed 's/sph_prim_build_triangle/sph_prim_build_wedge/' cmodel/builder/prim/triangle.c \
     >cmodel/builder/prim/wedge.c

@@ -68,6 +68,8 @@ bare=1 said='no valid mapping found for memory'
 check "memory of LUTs in a family that has none is noticed" \
     refused ice40 rt_slot_file WIDTH=8 SLOTS=16
 bare= said="no target 'ice4'"
-wrong() { ! (mapped ice4 rt_slot_file WIDTH=8 SLOTS=16) 2>"$TMP/log" && grep -q "$said" "$TMP/log"; }
+wrong() {
+    ! (mapped ice4 rt_slot_file WIDTH=8 SLOTS=16) 2>"$TMP/log" && grep -q "$said" "$TMP/log"
+}
 check "a target that there is not is refused by name" wrong
 done_testing

@@ -6,8 +6,6 @@
 
 #include "builder/grid/bound.h"
 #include "check.h"
-#include "exact.h"
-#include "floats.h"
 #include "naive/naive.h"
 #include "naive/hit.h"
 #include "naive/optics.h"
@@ -15,14 +13,6 @@
 #include "surface.h"
 #include "trace/filter.h"
 #include "trace/setup.h"
-
-/* What is said of one sphere. */
-struct answer {
-    struct exact exact;
-    uint64_t key;
-    int hit;
-    struct floats floats[HARD_COLUMNS];
-};
 
 void job_wrong(struct job *j, int check, const char *what) {
     j->t->wrong[check]++;
@@ -32,7 +22,7 @@ void job_wrong(struct job *j, int check, const char *what) {
 
 /* t lies less than 1/|dir| above and 2^(2-PQ) of the distance below
  * (docs/reference/machine_file.md). */
-static void check_t(struct job *j, const struct answer *a, const struct sph_quotient *q) {
+static void check_t(struct job *j, const struct sphere_answer *a, const struct sph_quotient *q) {
     long double length = sqrtl((long double)j->ray.a), t = ldexpl(q->mant, -q->exp);
     long double error = (t - exact_t(&a->exact)) * length;
     long double below = ldexpl((long double)a->key, 2 - j->p->pq) / length;
@@ -60,7 +50,7 @@ static void check_refracted(struct job *j, const struct sph_surface *s, uint64_t
 }
 
 /* The point of a hit and all that follows from it. */
-static void check_surface(struct job *j, const struct sph_leaf *s, const struct answer *a,
+static void check_surface(struct job *j, const struct sph_leaf *s, const struct sphere_answer *a,
                           int far) {
     const struct sph_profile *p = j->p;
     struct sph_quotient q = sph_quotient(a->key, p->w + p->wd + 2, j->ray.a, 2 * p->wd, p->pq);
@@ -120,12 +110,13 @@ static void check_filter(struct job *j, const struct sph_leaf *s, uint64_t key) 
     if (!sph_filter(&j->ray, &child, depth, &near)) job_wrong(j, HARD_FILTER, "a hit is left out");
 }
 
-static void check_floats(struct job *j, const struct sph_leaf *s, struct answer *a) {
+static void check_floats(struct job *j, const struct sph_leaf *s, struct sphere_answer *a) {
     const struct exact *e = &a->exact;
     long double length = sqrtl((long double)e->a), t = e->root ? exact_t(e) : 0;
     for (int i = HARD_OURS + 1; i < HARD_COLUMNS; i++) {
         struct hard_column *column = &j->t->column[i];
-        struct floats f = a->floats[i] = floats_leaf(i, &j->ray, s);
+        if (!hard_column_is_of(i, j->c->of)) continue;
+        struct sph_floats f = a->floats[i] = sph_float_sphere(i, &j->ray, s);
         column->hit += f.hit != e->hit;
         if (!f.hit || !e->hit) continue;
         column->root += f.far != e->far;
@@ -134,7 +125,7 @@ static void check_floats(struct job *j, const struct sph_leaf *s, struct answer 
     }
 }
 
-static void check_sphere(struct job *j, const struct sph_leaf *s, struct answer *a) {
+void check_sphere(struct job *j, const struct sph_leaf *s, struct sphere_answer *a) {
     uint64_t roots = 0;
     const struct exact *e = &a->exact;
     struct sph_leaf_result r = sph_leaf_test(&j->ray, s);
@@ -175,8 +166,8 @@ static void check_sphere(struct job *j, const struct sph_leaf *s, struct answer 
     if (j->ray.skip.id != s->id && j->ray.inside) check_floats(j, s, a);
 }
 
-void job_order(struct job *j, int order, const uint64_t key[2], const struct floats *f,
-               const struct floats *g) {
+void job_order(struct job *j, int order, const uint64_t key[2], const struct sph_floats *f,
+               const struct sph_floats *g) {
     struct hard_column *column = j->t->column;
     int said = key[0] < key[1] ? -1 : key[0] > key[1];
     j->t->pairs++;
@@ -192,7 +183,7 @@ void job_order(struct job *j, int order, const uint64_t key[2], const struct flo
 }
 
 /* Both spheres are hit: which one is nearer? */
-static void check_order(struct job *j, const struct answer a[2]) {
+static void check_order(struct job *j, const struct sphere_answer a[2]) {
     int order = exact_order(&a[0].exact, &a[1].exact);
     int floats = j->ray.skip.id == SPH_ID_NONE && j->ray.inside;
     const uint64_t key[2] = {a[0].key, a[1].key};
@@ -200,7 +191,7 @@ static void check_order(struct job *j, const struct answer a[2]) {
 }
 
 static void check_spheres(struct job *j) {
-    struct answer a[2] = {0};
+    struct sphere_answer a[2] = {0};
     for (int i = 0; i < j->c->n; i++)
         check_sphere(j, &j->c->sphere[i], &a[i]);
     if (j->c->n == 2 && a[0].exact.root && a[1].exact.root && a[0].hit && a[1].hit &&
@@ -212,7 +203,7 @@ int hard_check(const struct sph_profile *p, const struct hard_case *c, int naive
                struct hard_tally *t, FILE *out) {
     static void (*const checks[HARD_KINDS])(struct job *) = {
         check_spheres, check_facets, check_refraction, check_around, check_texels,
-        check_levels,  check_clips,  check_walks,      check_units};
+        check_levels,  check_clips,  check_walks,      check_units,  check_ties};
     struct job j = {p, c, c->ray, naive, 0, t, out};
     sph_ray_setup(p, &j.ray);
     t->cases++;

@@ -4,23 +4,15 @@
 #include <math.h>
 
 #include "check.h"
-#include "facet_exact.h"
 #include "naive/naive.h"
 
-struct answer {
-    struct facet_exact exact;
-    uint64_t key;
-    int hit;
-    struct floats floats[HARD_COLUMNS];
-};
-
-static void check_floats(struct job *j, const struct sph_facet_leaf *f, struct answer *a) {
+static void check_floats(struct job *j, const struct sph_facet_leaf *f, struct facet_answer *a) {
     const struct facet_exact *e = &a->exact;
     if (j->ray.skip.id != SPH_ID_NONE) return; /* of which floats know nothing */
     for (int i = HARD_OURS + 1; i < HARD_COLUMNS; i++) {
         if (!hard_column_is_of(i, HARD_FACETS)) continue;
         struct hard_column *column = &j->t->column[i];
-        struct floats r = a->floats[i] = floats_facet(i, &j->ray, f);
+        struct sph_floats r = a->floats[i] = sph_float_facet(i, &j->ray, f);
         column->hit += r.hit != e->hit;
         if (!r.hit || !e->hit) continue;
         column->root += r.far != e->far;
@@ -31,7 +23,7 @@ static void check_floats(struct job *j, const struct sph_facet_leaf *f, struct a
     }
 }
 
-static void check_one(struct job *j, const struct sph_facet_leaf *f, struct answer *a) {
+void check_facet(struct job *j, const struct sph_facet_leaf *f, struct facet_answer *a) {
     uint64_t divisions = 0;
     struct sph_facet_result r = sph_facet_test(j->p, &j->ray, f);
     const struct facet_exact *e = &a->exact;
@@ -60,9 +52,9 @@ static void check_one(struct job *j, const struct sph_facet_leaf *f, struct answ
 }
 
 void check_facets(struct job *j) {
-    struct answer a[2] = {0};
+    struct facet_answer a[2] = {0};
     for (int i = 0; i < j->c->n; i++)
-        check_one(j, &j->c->facet[i], &a[i]);
+        check_facet(j, &j->c->facet[i], &a[i]);
     if (j->c->n < 2 || !a[0].exact.hit || !a[1].exact.hit || j->ray.kind == SPH_SHADOW) return;
     int floats = !a[0].exact.ended && !a[1].exact.ended && j->ray.skip.id == SPH_ID_NONE;
     const uint64_t key[2] = {a[0].key, a[1].key};

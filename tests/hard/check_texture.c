@@ -70,9 +70,9 @@ void check_around(struct job *j) {
     float f32 = 0x1p17f + (float)steps * atan2f((float)v[0], (float)v[2]);
     double f64 = 0x1p17 + (double)steps * atan2((double)v[0], (double)v[2]);
     off = rho > 0 ? apart((long double)f32, around) * (double)(rho / length) : 0;
-    column[HARD_F32_TEXTBOOK].worst = fmax(column[HARD_F32_TEXTBOOK].worst, off);
+    column[SPH_F32_TEXTBOOK].worst = fmax(column[SPH_F32_TEXTBOOK].worst, off);
     off = rho > 0 ? apart((long double)f64, around) * (double)(rho / length) : 0;
-    column[HARD_F64_TEXTBOOK].worst = fmax(column[HARD_F64_TEXTBOOK].worst, off);
+    column[SPH_F64_TEXTBOOK].worst = fmax(column[SPH_F64_TEXTBOOK].worst, off);
 }
 
 /* ---- texels ---- */
@@ -112,8 +112,8 @@ void check_texels(struct job *j) {
         axis.texel[1] != placed(first + 1, size, clamp) || axis.weight != weight)
         job_wrong(j, HARD_TEXTURE, "texels on either side, or their weight");
     if (!clamp) {
-        j->t->column[HARD_F32_TEXTBOOK].hit += nearest_float(c, 0) != axis.nearest;
-        j->t->column[HARD_F64_TEXTBOOK].hit += nearest_float(c, 1) != axis.nearest;
+        j->t->column[SPH_F32_TEXTBOOK].hit += nearest_float(c, 0) != axis.nearest;
+        j->t->column[SPH_F64_TEXTBOOK].hit += nearest_float(c, 1) != axis.nearest;
     }
     uint32_t near[4], far[4], wx[2] = {256 - c->texel.wx, c->texel.wx};
     uint32_t wy[2] = {256 - c->texel.wy, c->texel.wy}, level = c->texel.between;
@@ -162,6 +162,6 @@ void check_levels(struct job *j) {
     column[HARD_OURS].worst = fmax(column[HARD_OURS].worst, fabs((double)got - want));
     f32 = fabs(fmin(fmax(f32, 0), most) - want);
     f64 = fabs(fmin(fmax(f64, 0), most) - want);
-    column[HARD_F32_TEXTBOOK].worst = fmax(column[HARD_F32_TEXTBOOK].worst, f32);
-    column[HARD_F64_TEXTBOOK].worst = fmax(column[HARD_F64_TEXTBOOK].worst, f64);
+    column[SPH_F32_TEXTBOOK].worst = fmax(column[SPH_F32_TEXTBOOK].worst, f32);
+    column[SPH_F64_TEXTBOOK].worst = fmax(column[SPH_F64_TEXTBOOK].worst, f64);
 }

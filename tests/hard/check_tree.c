@@ -20,8 +20,8 @@ static int against(const struct job *j, const struct sph_bih_ray *b, int64_t v, 
 static void clip_floats(struct job *j, int64_t v, int64_t d, int leaves) {
     double side = leaves ? -1 : 1, t32 = (double)((float)v * (1 / (float)d));
     double t64 = (double)v * (1 / (double)d);
-    j->t->column[HARD_F32_TEXTBOOK].hit += side * fma(t32, (double)d, -(double)v) > 0;
-    j->t->column[HARD_F64_TEXTBOOK].hit += side * fma(t64, (double)d, -(double)v) > 0;
+    j->t->column[SPH_F32_TEXTBOOK].hit += side * fma(t32, (double)d, -(double)v) > 0;
+    j->t->column[SPH_F64_TEXTBOOK].hit += side * fma(t64, (double)d, -(double)v) > 0;
 }
 
 void check_clips(struct job *j) {

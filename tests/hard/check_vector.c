@@ -45,11 +45,11 @@ void check_refraction(struct job *j) {
     if (through != expected)
         job_wrong(j, HARD_HIT, "not reflected wholly where it should be, or so");
     if (memcmp(out, other, sizeof out)) job_wrong(j, HARD_BOUNCE, "not the rounded refracted ray");
-    j->t->column[HARD_F32_TEXTBOOK].hit +=
+    j->t->column[SPH_F32_TEXTBOOK].hit +=
         total_single(0, c->ray.dir, c->v, c->from, c->to) == expected;
-    j->t->column[HARD_F32_PAPER].hit +=
+    j->t->column[SPH_F32_PAPER].hit +=
         total_single(1, c->ray.dir, c->v, c->from, c->to) == expected;
-    j->t->column[HARD_F64_TEXTBOOK].hit +=
+    j->t->column[SPH_F64_TEXTBOOK].hit +=
         total_full(0, c->ray.dir, c->v, c->from, c->to) == expected;
     if (!j->naive) return;
     j->t->naive++;
@@ -86,7 +86,7 @@ void check_units(struct job *j) {
         column[HARD_OURS].worst = fmax(column[HARD_OURS].worst, (double)fabsl(got - exact));
         double f32 = fabs(65536 * (double)(fabsf((float)v[i]) / single) - (double)exact);
         double f64 = fabs(65536 * (fabs((double)v[i]) / full) - (double)exact);
-        column[HARD_F32_TEXTBOOK].worst = fmax(column[HARD_F32_TEXTBOOK].worst, f32);
-        column[HARD_F64_TEXTBOOK].worst = fmax(column[HARD_F64_TEXTBOOK].worst, f64);
+        column[SPH_F32_TEXTBOOK].worst = fmax(column[SPH_F32_TEXTBOOK].worst, f32);
+        column[SPH_F64_TEXTBOOK].worst = fmax(column[SPH_F64_TEXTBOOK].worst, f64);
     }
 }

@@ -117,6 +117,28 @@ int exact_order(const struct exact *e1, const struct exact *e2) {
     return sign_of(e1->b - e2->b, e1->root, e1->disc, -e2->root, e2->disc);
 }
 
+int exact_against(const struct exact *e, int64_t whole, sph_i128 part, sph_i128 of) {
+    int first = exact_compare(e, whole), past = exact_compare(e, whole + 1);
+    if (first < 0 || past >= 0) return first < 0 ? -1 : 1;
+    if (first == 0) return part ? -1 : 0;
+    long double apart = e->part - (long double)part / (long double)of;
+    if (fabsl(apart) > 0x1p-40L) return apart > 0 ? 1 : -1;
+    mpz_t c, d, root; /* c +- d sqrt(disc), c = (b - whole) of - part, d = of */
+    mpz_inits(c, d, root, NULL);
+    set_i128(d, of);
+    mpz_mul_si(c, d, e->b - whole);
+    set_i128(root, part);
+    mpz_sub(c, c, root);
+    set_i128(root, e->disc);
+    mpz_mul(root, root, d);
+    mpz_mul(root, root, d);
+    int side = mpz_sgn(c);
+    mpz_mul(c, c, c);
+    int more = mpz_cmp(c, root); /* |c| is more than the root */
+    mpz_clears(c, d, root, NULL);
+    return side == e->root || !side ? e->root : more > 0 ? side : more < 0 ? e->root : 0;
+}
+
 double exact_key_error(const struct exact *e, uint64_t key) {
     return (double)(((long double)((int64_t)key - e->whole) - e->part) / sqrtl((long double)e->a));
 }

@@ -32,6 +32,9 @@ int exact_compare(const struct exact *e, int64_t n);
 /* Sign of t1 - t2 of two hits of one ray, exactly. */
 int exact_order(const struct exact *e1, const struct exact *e2);
 
+/* Sign of a*t - whole - part / of, 0 <= part < of, exactly. */
+int exact_against(const struct exact *e, int64_t whole, sph_i128 part, sph_i128 of);
+
 /* (key - a*t) / |dir|: grid units along the ray. */
 double exact_key_error(const struct exact *e, uint64_t key);
 

@@ -142,37 +142,44 @@ static void put_sphere(uint32_t *line, const struct sph_leaf *s) {
     sph_field_set(line, SPH_LEAF_RAD_LSB, SPH_LEAF_RAD_BITS, (uint32_t)s->rad);
 }
 
-/* Traces through a root of two leaves in lines 1 and 2, primitive records in 3 and 4, leaf lines of
- * facets from line 3 + (number of spheres) on: the sphere of id 0 is no facet. */
-static void trace_two(struct named *n, struct sph_ray ray, const struct sph_facet_leaf *f[2],
+/* Leaves in lines 1 and 2, primitive records in 3 and 4, leaf lines of facets from line 5 on. */
+void two_records(const struct named *n, const struct sph_facet_leaf *const f[2],
+                 const struct sph_leaf *sphere, int order, const uint32_t ids[2],
+                 uint32_t mem[TWO_RECORDS * SPH_LINE_WORDS], struct sph_machine *m) {
+    memset(mem, 0, TWO_RECORDS * SPH_LINE_WORDS * sizeof *mem);
+    *m = (struct sph_machine){.mem = mem, .lines = TWO_RECORDS};
+    sph_machine_set_profile(m, &sph_profiles[n->profile]);
+    m->regs[SPH_REG_EFFECTS] = 1 << SPH_EFFECT_FACETS | 1 << SPH_EFFECT_INSIDE;
+    m->regs[SPH_REG_PRIM_BASE] = 3;
+    m->regs[SPH_REG_FACET_BASE] = 5;
+    m->regs[SPH_REG_N_SPHERES] = sphere != NULL;
+    m->regs[SPH_REG_MEM_LINES] = TWO_RECORDS;
+    m->regs[SPH_REG_N_PRIMS] = 2;
+    m->regs[SPH_REG_VISIT_LIMIT] = 2;
+    sph_field_set(mem, SPH_NODE_BASE_LSB, SPH_NODE_BASE_BITS, 1);
+    sph_field_set(mem, SPH_NODE_N_LEAF_LSB, SPH_NODE_N_LEAF_BITS, 2);
+    for (int i = 0; i < 2; i++) {
+        uint32_t *leaf = mem + SPH_LINE_WORDS * (1 + (i ^ order));
+        sph_field_set(mem, i * SPH_CHILD_STRIDE + SPH_CHILD_RAD_LSB, SPH_CHILD_RAD_BITS,
+                      7u * (1u << (n->p->fw - 3)) + 8); /* 7/8 of a side: more than the box */
+        if (f[i]) {
+            put_facet(leaf, f[i], ids[i]);
+            put_facet(mem + SPH_LINE_WORDS * (5 + ids[i] - (sphere != NULL)), f[i], ids[i]);
+        } else if (sphere) {
+            put_sphere(leaf, sphere);
+            put_sphere(mem + SPH_LINE_WORDS * 3, sphere);
+        }
+    }
+}
+
+static void trace_two(struct named *n, struct sph_ray ray, const struct sph_facet_leaf *const f[2],
                       const struct sph_leaf *sphere, int winner) {
     for (int order = 0; order < (sphere ? 2 : 4); order++) { /* of storage and of ids */
-        uint32_t mem[8 * SPH_LINE_WORDS] = {0}, visits = 0, errors = 0;
-        struct sph_machine m = {.mem = mem, .lines = 8};
+        uint32_t mem[TWO_RECORDS * SPH_LINE_WORDS], visits = 0, errors = 0;
+        struct sph_machine m;
         struct sph_counters counters = {0};
         uint32_t ids[2] = {order >> 1 & 1, !(order >> 1 & 1)};
-        sph_machine_set_profile(&m, &sph_profiles[n->profile]);
-        m.regs[SPH_REG_EFFECTS] = 1 << SPH_EFFECT_FACETS | 1 << SPH_EFFECT_INSIDE;
-        m.regs[SPH_REG_PRIM_BASE] = 3;
-        m.regs[SPH_REG_FACET_BASE] = 5;
-        m.regs[SPH_REG_N_SPHERES] = sphere != NULL;
-        m.regs[SPH_REG_MEM_LINES] = 8;
-        m.regs[SPH_REG_N_PRIMS] = 2;
-        m.regs[SPH_REG_VISIT_LIMIT] = 2;
-        sph_field_set(mem, SPH_NODE_BASE_LSB, SPH_NODE_BASE_BITS, 1);
-        sph_field_set(mem, SPH_NODE_N_LEAF_LSB, SPH_NODE_N_LEAF_BITS, 2);
-        for (int i = 0; i < 2; i++) {
-            uint32_t *leaf = mem + SPH_LINE_WORDS * (1 + (i ^ (order & 1)));
-            sph_field_set(mem, i * SPH_CHILD_STRIDE + SPH_CHILD_RAD_LSB, SPH_CHILD_RAD_BITS,
-                          7u * (1u << (n->p->fw - 3)) + 8); /* 7/8 of a side: more than the box */
-            if (f[i]) {
-                put_facet(leaf, f[i], ids[i]);
-                put_facet(mem + SPH_LINE_WORDS * (5 + ids[i] - (sphere != NULL)), f[i], ids[i]);
-            } else if (sphere) {
-                put_sphere(leaf, sphere);
-                put_sphere(mem + SPH_LINE_WORDS * 3, sphere);
-            }
-        }
+        two_records(n, f, sphere, order & 1, ids, mem, &m);
         uint32_t id = ids[winner < 0 ? ids[1] == 0 : winner];
         sph_ray_setup(n->p, &ray);
         struct sph_hit tree =

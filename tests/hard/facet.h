@@ -33,4 +33,11 @@ void expect_first_facet(struct named *n, struct hard_facet c, const struct sph_f
 void expect_first_sphere(struct named *n, struct hard_facet c, const struct sph_leaf *sphere,
                          int winner);
 
+/* A machine of one node with two leaves, stored in this order or the other one: f[i] with ids[i],
+ * or the sphere, of id 0, where f[i] is NULL. Every ray passes the node. */
+enum { TWO_RECORDS = 8 };
+void two_records(const struct named *n, const struct sph_facet_leaf *const f[2],
+                 const struct sph_leaf *sphere, int order, const uint32_t ids[2],
+                 uint32_t mem[TWO_RECORDS * SPH_LINE_WORDS], struct sph_machine *m);
+
 #endif

@@ -7,8 +7,6 @@
  */
 #include "facet_exact.h"
 
-#include <math.h>
-
 /* a . (b x c), by the six products of Leibniz. */
 static sph_i128 volume(const int64_t a[3], const int64_t b[3], const int64_t c[3]) {
     static const int turn[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1},
@@ -107,54 +105,4 @@ int exact_facet_order(const struct facet_exact *e1, const struct facet_exact *e2
         if (!left || !right) return !left && !right ? 0 : !left ? -sign : sign;
         a = b, b = left, c = d, d = right; /* of the reciprocals the order is the other one */
     }
-}
-
-/* ---- floating point ---- */
-
-#define FORMULAS(real, name)                                                                       \
-    static void cross_##name(const real a[3], const real b[3], real out[3]) {                      \
-        for (int i = 0; i < 3; i++)                                                                \
-            out[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];            \
-    }                                                                                              \
-    static real dot_##name(const real a[3], const real b[3]) {                                     \
-        return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];                                            \
-    }                                                                                              \
-    static struct floats facet_##name(int volumes, const struct sph_ray *ray,                      \
-                                      const struct sph_facet_leaf *f) {                            \
-        real d[3], to[3], e1[3], e2[3], n[3], m[3];                                                \
-        for (int i = 0; i < 3; i++) {                                                              \
-            d[i] = (real)ray->dir[i];                                                              \
-            to[i] = (real)f->v[0][i] - (real)ray->org[i];                                          \
-            e1[i] = (real)f->v[1][i] - (real)f->v[0][i];                                           \
-            e2[i] = (real)f->v[2][i] - (real)f->v[0][i];                                           \
-            n[i] = (real)f->v[1][i];                                                               \
-        }                                                                                          \
-        int plane = f->kind != SPH_TRIANGLE, inside = 1;                                           \
-        real det, t;                                                                               \
-        if (plane || volumes) {                                                                    \
-            if (!plane) cross_##name(e1, e2, n);                                                   \
-            det = dot_##name(n, d);                                                                \
-            t = dot_##name(n, to) / det;                                                           \
-            cross_##name(d, to, m);                                                                \
-            real u2 = dot_##name(m, e1), u1 = -dot_##name(m, e2), u0 = det - u1 - u2;              \
-            if (!plane)                                                                            \
-                inside = det > 0 ? u0 >= 0 && u1 >= 0 && u2 >= 0 : u0 <= 0 && u1 <= 0 && u2 <= 0;  \
-        } else {                                                                                   \
-            cross_##name(d, e2, m);                                                                \
-            det = -dot_##name(e1, m);                                                              \
-            real u = dot_##name(to, m) / det;                                                      \
-            cross_##name(to, e1, n);                                                               \
-            real v = dot_##name(d, n) / det;                                                       \
-            t = dot_##name(e2, n) / det;                                                           \
-            inside = u >= 0 && v >= 0 && u + v <= 1;                                               \
-        }                                                                                          \
-        int hit = det != 0 && inside && t > 0 && (ray->kind != SPH_SHADOW || t < 1);               \
-        return (struct floats){hit, det > 0, (double)t};                                           \
-    }
-FORMULAS(float, single)
-FORMULAS(double, full)
-
-struct floats floats_facet(int formula, const struct sph_ray *ray, const struct sph_facet_leaf *f) {
-    if (formula == HARD_F64_TEXTBOOK) return facet_full(0, ray, f);
-    return facet_single(formula == HARD_F32_PAPER, ray, f);
 }

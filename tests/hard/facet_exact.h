@@ -1,10 +1,9 @@
-/* facet_exact.h - ray and facet in exact integers, by volumes of four points; and in floats
+/* facet_exact.h - ray and facet in exact integers, by volumes of four points
  * SPDX-License-Identifier: Apache-2.0
  */
 #ifndef HARD_FACET_EXACT_H
 #define HARD_FACET_EXACT_H
 
-#include "floats.h"
 #include "hard.h"
 
 /* t = num/det where the ray meets the facet's plane; det >= 0, and 0 for a ray along it. */
@@ -22,9 +21,5 @@ struct facet_exact exact_facet(const struct sph_profile *p, const struct sph_ray
 
 /* Sign of t1 - t2 of the planes, exactly; both det > 0, both num >= 0. */
 int exact_facet_order(const struct facet_exact *e1, const struct facet_exact *e2);
-
-/* textbook: Moeller and Trumbore 1997; paper: the volumes of design/primitives.md. No end of the
- * world. */
-struct floats floats_facet(int formula, const struct sph_ray *ray, const struct sph_facet_leaf *f);
 
 #endif

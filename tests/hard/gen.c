@@ -59,6 +59,17 @@ const struct hard_family hard_families[HARD_FAMILIES] = {
     {"walk", "two spheres in a BIH, touching, cut or in one another", gen_walk, HARD_WALKS},
     {"unit", "vectors where the table of inverse roots changes its line", gen_unit_vector,
      HARD_UNITS},
+    {"coplane", "a triangle in a plane, or a unit beside it, a point of both aimed at", gen_coplane,
+     HARD_FACETS},
+    {"pixel", "a common edge of two triangles that runs through centres of pixels", gen_pixel,
+     HARD_FACETS},
+    {"ridge", "a common edge seen head-on, or along one of its two triangles", gen_ridge,
+     HARD_FACETS},
+    {"meet", "a sphere and a triangle or plane through one point of the ray, or a unit apart",
+     gen_meet, HARD_TIES},
+    {"eye", "origin on or in a sphere, on a triangle or plane, or on both", gen_eye, HARD_TIES},
+    {"glass", "in a ball of glass, tangent to another one in it, or one off", gen_glass,
+     HARD_SPHERES},
 };
 
 static uint64_t mixed(uint64_t seed, uint64_t value) {

@@ -59,6 +59,21 @@ int gen_shadow(const struct sph_profile *p, const int64_t light[3], struct hard_
  * Numbers of the quaternion that makes them are at most `most`. */
 int64_t gen_frame(struct sph_rng *rng, int64_t most, int64_t u[3], int64_t v[3], int64_t w[3]);
 
+/* A sphere whose surface passes exactly through `at`: its centre on a whole frame vector. */
+void gen_through(struct sph_rng *rng, const struct sph_profile *p, const int64_t at[3],
+                 struct sph_leaf *s);
+
+/* Makes a case of n facets of a kind, all zero. */
+void gen_facets(struct hard_case *c, int kind, int n);
+
+void gen_corners(struct sph_facet_leaf *f, const int64_t a[3], const int64_t b[3],
+                 const int64_t c[3]);
+
+/* To a point exactly, at t = 1 over a whole number, and `through` says so; now and then a light
+ * there, or in front of it, or a component of the direction is one off. */
+void gen_towards(struct sph_rng *rng, const struct sph_profile *p, const int64_t at[3],
+                 struct hard_case *c);
+
 /* A random unit vector. */
 void gen_unit(struct sph_rng *rng, double v[3]);
 
@@ -68,6 +83,7 @@ gen_maker gen_random, gen_inside, gen_axis, gen_corner, gen_rad0, gen_dir0, gen_
     gen_huge_near, gen_graze0, gen_graze1, gen_surf_out, gen_surf_in, gen_own, gen_shadows,
     gen_pair, gen_concentric, gen_root, gen_quotient, gen_surface, gen_filter, gen_nested, gen_edge,
     gen_vertex, gen_sliver, gen_flat, gen_skim, gen_plane, gen_planes, gen_critical, gen_seam,
-    gen_texel, gen_level, gen_clip, gen_walk, gen_unit_vector;
+    gen_texel, gen_level, gen_clip, gen_walk, gen_unit_vector, gen_coplane, gen_pixel, gen_ridge,
+    gen_meet, gen_eye, gen_glass;
 
 #endif

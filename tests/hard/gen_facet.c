@@ -8,16 +8,14 @@
 
 #include "gen.h"
 
-static void start(struct hard_case *c, int kind, int n) {
+void gen_facets(struct hard_case *c, int kind, int n) {
     c->n = n;
     for (int i = 0; i < n; i++)
         c->facet[i] = (struct sph_facet_leaf){.kind = kind, .id = i ? HARD_OTHER : HARD_ID};
 }
 
-/* To a point exactly, at t = 1 over a whole number; now and then a light there, or in front of it,
- * or a component of the direction is one off. */
-static void towards(struct sph_rng *rng, const struct sph_profile *p, const int64_t at[3],
-                    struct hard_case *c) {
+void gen_towards(struct sph_rng *rng, const struct sph_profile *p, const int64_t at[3],
+                 struct hard_case *c) {
     int64_t longest = 1, end = (1ll << (p->wd - 1)) - 1;
     for (int i = 0; i < 3; i++) {
         int64_t d = c->ray.dir[i] = at[i] - c->ray.org[i];
@@ -59,8 +57,8 @@ static void between(struct sph_rng *rng, const int64_t a[3], const int64_t b[3],
         out[i] = a[i] + (b[i] - a[i]) / n * step;
 }
 
-static void corners(struct sph_facet_leaf *f, const int64_t a[3], const int64_t b[3],
-                    const int64_t c[3]) {
+void gen_corners(struct sph_facet_leaf *f, const int64_t a[3], const int64_t b[3],
+                 const int64_t c[3]) {
     memcpy(f->v[0], a, sizeof f->v[0]);
     memcpy(f->v[1], b, sizeof f->v[1]);
     memcpy(f->v[2], c, sizeof f->v[2]);
@@ -77,26 +75,26 @@ static void some_point(struct sph_rng *rng, const struct sph_profile *p, const i
 
 void gen_edge(struct sph_rng *rng, const struct sph_profile *p, struct hard_case *c) {
     int64_t a[3], b[3], left[3], right[3], at[3], n = edge(rng, p, a, b);
-    start(c, SPH_TRIANGLE, 2);
+    gen_facets(c, SPH_TRIANGLE, 2);
     some_point(rng, p, a, left);
     some_point(rng, p, b, right);
-    corners(&c->facet[0], a, b, left);
-    corners(&c->facet[1], b, a, right);
+    gen_corners(&c->facet[0], a, b, left);
+    gen_corners(&c->facet[1], b, a, right);
     between(rng, a, b, n, at);
     some_point(rng, p, at, c->ray.org);
-    towards(rng, p, at, c);
+    gen_towards(rng, p, at, c);
 }
 
 void gen_vertex(struct sph_rng *rng, const struct sph_profile *p, struct hard_case *c) {
     int64_t at[3], rim[3][3];
-    start(c, SPH_TRIANGLE, 2);
+    gen_facets(c, SPH_TRIANGLE, 2);
     gen_point(rng, p, at);
     for (int i = 0; i < 3; i++)
         some_point(rng, p, at, rim[i]);
-    corners(&c->facet[0], at, rim[0], rim[1]);
-    corners(&c->facet[1], rim[2], at, rim[1]);
+    gen_corners(&c->facet[0], at, rim[0], rim[1]);
+    gen_corners(&c->facet[1], rim[2], at, rim[1]);
     some_point(rng, p, at, c->ray.org);
-    towards(rng, p, at, c);
+    gen_towards(rng, p, at, c);
     if (!gen_one_in(rng, 4)) return;
     c->ray.skip.id = HARD_OTHER + (uint32_t)vec_pick(rng, 0, 3); /* a group's ends, and beside */
     c->facet[0].after = (uint32_t)vec_pick(rng, 0, 4);
@@ -105,17 +103,17 @@ void gen_vertex(struct sph_rng *rng, const struct sph_profile *p, struct hard_ca
 
 void gen_sliver(struct sph_rng *rng, const struct sph_profile *p, struct hard_case *c) {
     int64_t a[3], b[3], tip[2][3], at[3], n = edge(rng, p, a, b);
-    start(c, SPH_TRIANGLE, 2);
+    gen_facets(c, SPH_TRIANGLE, 2);
     for (int k = 0; k < 2; k++) { /* a unit or two from the edge; none: without area */
         between(rng, a, b, n, tip[k]);
         for (int i = 0; i < 3; i++)
             tip[k][i] = gen_clamp(p, tip[k][i] + vec_pick(rng, -1 - k, 1 + k));
     }
-    corners(&c->facet[0], a, b, tip[0]);
-    corners(&c->facet[1], b, a, tip[1]);
+    gen_corners(&c->facet[0], a, b, tip[0]);
+    gen_corners(&c->facet[1], b, a, tip[1]);
     between(rng, a, b, n, at);
     gen_point(rng, p, c->ray.org);
-    towards(rng, p, at, c);
+    gen_towards(rng, p, at, c);
 }
 
 /* Two triangles in one plane, which may lie over one another. */
@@ -136,14 +134,14 @@ void gen_flat(struct sph_rng *rng, const struct sph_profile *p, struct hard_case
     } while (!gen_on_grid(p, v[0]) || !gen_on_grid(p, v[1]) || !gen_on_grid(p, v[2]) ||
              !gen_on_grid(p, v[3]) || !gen_on_grid(p, v[4]) || !gen_on_grid(p, v[5]) ||
              !gen_on_grid(p, v[6]));
-    start(c, SPH_TRIANGLE, 2);
-    corners(&c->facet[0], v[0], v[1], v[2]);
-    corners(&c->facet[1], v[3], v[4], v[5]);
+    gen_facets(c, SPH_TRIANGLE, 2);
+    gen_corners(&c->facet[0], v[0], v[1], v[2]);
+    gen_corners(&c->facet[1], v[3], v[4], v[5]);
     gen_point(rng, p, c->ray.org);
     if (gen_one_in(rng, 4)) /* from their plane, or a unit beside it */
         for (int i = 0; i < 3; i++)
             c->ray.org[i] = gen_clamp(p, v[2][i] + (gen_one_in(rng, 3) ? 1 : 0));
-    towards(rng, p, gen_one_in(rng, 2) ? v[3] : v[6], c);
+    gen_towards(rng, p, gen_one_in(rng, 2) ? v[3] : v[6], c);
     c->through = 0;
 }
 
@@ -157,9 +155,9 @@ static void leave(struct sph_rng *rng, const struct sph_profile *p, struct sph_r
 /* Nearly along the plane of a triangle, from a unit beside it. */
 void gen_skim(struct sph_rng *rng, const struct sph_profile *p, struct hard_case *c) {
     int64_t a[3], b[3], tip[3], end = (1ll << (p->wd - 1)) - 1, n = edge(rng, p, a, b);
-    start(c, SPH_TRIANGLE, 1);
+    gen_facets(c, SPH_TRIANGLE, 1);
     some_point(rng, p, a, tip);
-    corners(&c->facet[0], a, b, tip);
+    gen_corners(&c->facet[0], a, b, tip);
     between(rng, a, b, n, c->ray.org);
     for (int i = 0; i < 3; i++) {
         c->ray.org[i] =
@@ -188,7 +186,7 @@ static void beside(struct sph_rng *rng, const struct sph_profile *p, const int64
 
 void gen_plane(struct sph_rng *rng, const struct sph_profile *p, struct hard_case *c) {
     int64_t end = (1ll << (p->wd - 1)) - 1;
-    start(c, SPH_PLANE, 1);
+    gen_facets(c, SPH_PLANE, 1);
     gen_point(rng, p, c->ray.org);
     for (int i = 0; i < 3; i++)
         c->ray.dir[i] = gen_one_in(rng, 4) ? gen_sign(rng) * gen_log(rng, p->wd - 1)
@@ -206,10 +204,10 @@ void gen_plane(struct sph_rng *rng, const struct sph_profile *p, struct hard_cas
 /* Two planes through one point of the ray; one of them a unit away. */
 void gen_planes(struct sph_rng *rng, const struct sph_profile *p, struct hard_case *c) {
     int64_t at[3];
-    start(c, SPH_PLANE, 2);
+    gen_facets(c, SPH_PLANE, 2);
     gen_point(rng, p, at);
     some_point(rng, p, at, c->ray.org);
-    towards(rng, p, at, c);
+    gen_towards(rng, p, at, c);
     for (int k = 0; k < 2; k++) {
         memcpy(c->facet[k].v[0], at, sizeof at);
         if (gen_one_in(rng, 3))

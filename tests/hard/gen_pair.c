@@ -5,9 +5,8 @@
 
 #include "gen.h"
 
-/* A sphere whose surface passes exactly through `at`: its centre on a whole frame vector. */
-static void through(struct sph_rng *rng, const struct sph_profile *p, const int64_t at[3],
-                    struct sph_leaf *s) {
+void gen_through(struct sph_rng *rng, const struct sph_profile *p, const int64_t at[3],
+                 struct sph_leaf *s) {
     int64_t u[3], v[3], w[3];
     do {
         int64_t n = gen_frame(rng, 1ll << vec_pick(rng, 0, (p->w - 3) / 2), u, v, w);
@@ -31,8 +30,8 @@ void gen_pair(struct sph_rng *rng, const struct sph_profile *p, struct hard_case
     int64_t scale = vec_pick(rng, 1, ((1ll << (p->wd - 1)) - 1) / longest);
     for (int i = 0; i < 3; i++)
         c->ray.dir[i] *= scale;
-    through(rng, p, at, &c->sphere[0]);
-    through(rng, p, at, &c->sphere[1]);
+    gen_through(rng, p, at, &c->sphere[0]);
+    gen_through(rng, p, at, &c->sphere[1]);
     int which = (int)vec_pick(rng, 0, 3), i = (int)vec_pick(rng, 0, 2);
     if (which == 0) c->sphere[1].rad += c->sphere[1].rad > 1 ? -1 : 1;
     if (which == 1) c->sphere[1].ctr[i] = gen_clamp(p, c->sphere[1].ctr[i] + gen_sign(rng));

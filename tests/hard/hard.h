@@ -15,6 +15,7 @@
 #include "scene/rng.h"
 #include "prim/facet.h"
 #include "prim/sphere.h"
+#include "reference/floats.h"
 #include "core/ray.h"
 
 enum { HARD_ID = 7, HARD_OTHER = 9 }; /* ids of the first and the second sphere */
@@ -30,6 +31,7 @@ enum {
     HARD_CLIPS,      /* ray, clip: a plane of a BIH */
     HARD_WALKS,      /* ray, sphere[2]: through a BIH and through one leaf */
     HARD_UNITS,      /* v: s(WD) */
+    HARD_TIES,       /* ray, sphere[0], facet[0] */
     HARD_KINDS
 };
 extern const char *const hard_kinds[HARD_KINDS];
@@ -67,22 +69,15 @@ struct hard_family {
     void (*make)(struct sph_rng *rng, const struct sph_profile *p, struct hard_case *c);
     int of;
 };
-enum { HARD_SPHERE_FAMILIES = 21 /* the first ones */, HARD_FAMILIES = 35 };
+enum { HARD_FAMILIES = 41 };
 extern const struct hard_family hard_families[HARD_FAMILIES];
 
 /* Case `number` of a family; the same for the same arguments. One in eight has the effect INSIDE
  * off. */
 void hard_make(uint64_t seed, int family, int profile, uint64_t number, struct hard_case *c);
 
-/* Formulas that are judged by the oracle on the same inputs. */
-enum {
-    HARD_OURS,
-    HARD_F32_TEXTBOOK,
-    HARD_F32_PAPER,
-    HARD_F32_GEMS,
-    HARD_F64_TEXTBOOK,
-    HARD_COLUMNS
-};
+/* The model, and the formulas of floats.h, which are judged by the oracle on the same inputs. */
+enum { HARD_OURS, HARD_COLUMNS = SPH_FORMULAS };
 extern const char *const hard_columns[HARD_COLUMNS];
 
 struct hard_column {

@@ -80,7 +80,8 @@ named_case named_tangent, named_pell_hit, named_pell_miss, named_distance, named
     named_refract_along, named_refract_away, named_refract_head_on, named_refract_ends,
     named_refract_graze, named_refract_centre, named_refract_cancel, named_planes_equal,
     named_plane_along, named_facets_flat, named_seam, named_texel_edge, named_texel_mean,
-    named_level, named_clip, named_walk, named_glass_in_glass, named_unit_ends, named_facet_beside;
+    named_level, named_clip, named_walk, named_glass_in_glass, named_unit_ends, named_facet_beside,
+    named_coplane, named_pixel, named_ridge, named_meet, named_glass, named_eye;
 
 /* Scenes: the model, brute force and the naive model draw the same picture. */
 void named_scene(struct named *n, const char *name);

@@ -217,5 +217,31 @@ const struct hard_named hard_named[] = {
      "To a light: hit if the point that the origin was rounded from lies before the plane by more "
      "than the last guard bit along each axis; else miss.",
      named_facet_beside},
+    {"triangle in a plane",
+     "One key, the smaller id, in the middle, on an edge and at a corner; a unit apart: the "
+     "nearer; "
+     "past the triangle: the plane.",
+     named_coplane},
+    {"edge through pixel centres",
+     "Directions of a row of pixels, an edge from the ray of one to that of another: both "
+     "triangles "
+     "of it at one key, at every pixel between.",
+     named_pixel},
+    {"edge head-on",
+     "Straight onto a ridge, a valley or a flat edge: both at one key; in the plane of one: the "
+     "other alone.",
+     named_ridge},
+    {"sphere and facet in one point",
+     "Equal t: the sphere, before a triangle's middle, edge or corner and a plane, also one that "
+     "touches it; a unit apart: the nearer.",
+     named_meet},
+    {"tangent in glass",
+     "From the inner side of a shell past a ball in its middle: touched: miss; a unit more: near, "
+     "to a light too.",
+     named_glass},
+    {"eye on a surface",
+     "On a sphere and the facet that touches it there, a unit before and behind: what is at t = 0 "
+     "is not seen.",
+     named_eye},
 };
 const int hard_n_named = sizeof hard_named / sizeof *hard_named;

@@ -59,12 +59,11 @@ void hard_print(FILE *out, const struct sph_profile *p, const struct hard_case *
         break;
     default:
         ray(out, &c->ray);
-        if (c->of == HARD_FACETS)
-            facets(out, c);
-        else if (c->of == HARD_CLIPS)
+        if (c->of == HARD_CLIPS)
             fprintf(out, "; axis %d %s %ld", c->clip.axis, c->clip.below ? "<=" : ">=", c->clip.at);
-        else
+        else if (c->of != HARD_FACETS)
             spheres(out, c);
+        if (c->of == HARD_FACETS || c->of == HARD_TIES) facets(out, c);
     }
     fprintf(out, "\n");
 }

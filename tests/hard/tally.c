@@ -13,12 +13,12 @@ const char *const hard_checks[HARD_CHECKS] = {
     "bounce", "filter", "order", "naive model", "through",  "texture", "tree",  "unit"};
 
 const char *const hard_kinds[HARD_KINDS] = {"spheres", "facets", "refraction", "around", "texels",
-                                            "levels",  "clips",  "walks",      "units"};
+                                            "levels",  "clips",  "walks",      "units",  "ties"};
 
 int hard_column_is_of(int column, int of) {
     if (of == HARD_WALKS) return column == HARD_OURS;
-    if (column == HARD_F32_GEMS) return of == HARD_SPHERES;
-    return column != HARD_F32_PAPER || of <= HARD_REFRACTION;
+    if (column == SPH_F32_GEMS) return of == HARD_SPHERES;
+    return column != SPH_F32_PAPER || of <= HARD_REFRACTION || of == HARD_TIES;
 }
 
 void hard_tally_add(struct hard_tally *sum, const struct hard_tally *t) {

@@ -211,8 +211,6 @@ static void test_wrong_registers(void **unused) {
         {SPH_REG_EFFECTS, 20, "EFFECTS is 20: INTERPENETRATE needs"},
         {SPH_REG_EFFECTS, 24, "EFFECTS is 24: INTERPENETRATE needs"},
         {SPH_REG_MAX_DEPTH, 11, "MAX_DEPTH"},
-        {SPH_REG_LEAST_WEIGHT, -1, "LEAST_WEIGHT"},
-        {SPH_REG_LEAST_WEIGHT, 257, "LEAST_WEIGHT"},
         {SPH_REG_N_LIGHTS, 9, "N_LIGHTS"},
         {SPH_REG_FRAME_W, 0, "FRAME_W"},
         {SPH_REG_WIN_X1, 65, "WIN_X1"},

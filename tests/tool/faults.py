@@ -44,6 +44,7 @@ COMMANDS = {
     "export c": "export x.sph --c-array o.h",
     "operations": "operations x.nff --json o.json",
     "trees": "trees x.nff --size 8x5 --json o.json",
+    "floats": "floats x.nff --size 8x5 -p o.png --json o.json",
     "movie": "movie x.png x.png -o o.gif",
 }
 PDB = "HETATM    1  C   LIG A   1       1.0     2.0     3.0    1.00  0.00           C\n"

@@ -76,7 +76,7 @@ answered() { # command, option
     return $bad
 }
 for command in build render info compare gen import background texels accuracy reference export \
-    operations trees view movie; do
+    operations trees floats view movie; do
     for option in $(numbers "$command"); do
         check "$command $option" all_refused "$command" "$option"
         [ "$command" != view ] && is_real "$option" || continue

@@ -41,6 +41,7 @@ reports background background "$scenes/paper5.nff" --size 16x10
 reports texels texels "$scenes/texture/hall.nff" --size 16x10
 reports operations operations "$scenes/paper5.nff" --size 16x10
 reports trees trees "$scenes/paper5.nff" --size 16x10
+reports floats floats "$scenes/paper5.nff" --size 16x10
 reports price price "$scenes/huge_tiny.nff" --size 16x10 --more
 covered() { # a command with --json that is not tried here
     for command in $("$s" --help | sed -n '/^Commands:/,/^$/s/^  \([a-z]*\) .*/\1/p'); do

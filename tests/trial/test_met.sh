@@ -47,6 +47,14 @@ profile() {
 }
 check "a light under the floor: reference with it" test "$(profile all)" = reference
 check "... fine without it" test "$(profile met)" = fine
+grid() {
+    "$s" build $here/$1.nff --profile standard --effects $2 -o "$TMP/m.sph" 2>/dev/null |
+        sed -n 's/^grid *step \([^,]*\),.*/\1/p'
+}
+check "a ball far behind: a coarse grid with it" test "$(grid behind all)" = 0.000976562
+check "... fine without it" test "$(grid behind met)" = 0.000488281
+check "a floor keeps such a ball, which makes the grid wide" \
+    test "$(grid far_behind_floor met)" = "$(grid far_behind_floor all)"
 
 # Frames: all of them count.
 later() {

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 
 #include "../exact.h"
-#include "../floats.h"
+#include "reference/floats.h"
 #include "pixel/walk.h"
 #include "prim/sphere.h"
 
@@ -73,7 +73,7 @@ static struct draw_pixel shade(const struct draw_scene *s, uint32_t id, const do
 /* x as the formula's type has it. A sum, product or quotient of two floats, or a root, taken in
  * double and rounded again is that of float. */
 static double rounded(int formula, double x) {
-    return formula == HARD_F64_TEXTBOOK ? x : (double)(float)x;
+    return formula == SPH_F64_TEXTBOOK ? x : (double)(float)x;
 }
 
 /* Whether anything lies between a point and a light. */
@@ -89,14 +89,17 @@ static int hidden(const struct draw_scene *s, struct draw_way way, const double 
     for (uint32_t i = 0; i < s->n; i++) {
         const struct sph_leaf *ball = &s->spheres[i];
         double ctr[3] = {(double)ball->ctr[0], (double)ball->ctr[1], (double)ball->ctr[2]};
-        if (floats_hit(way.formula, at, dir, ctr, (double)ball->rad, least, 1).hit) return 1;
+        if (sph_float_between(sph_float_roots(way.formula, at, dir, ctr, (double)ball->rad), least,
+                              1)
+                .hit)
+            return 1;
     }
     return 0;
 }
 
 struct draw_pixel draw_float(const struct draw_scene *s, struct draw_way way, int x, int y) {
     struct sph_ray ray = primary(s, x, y);
-    struct floats best = {0, 0, INFINITY};
+    struct sph_floats best = {0, 0, INFINITY};
     double org[3], dir[3], at[3] = {0}, normal[3] = {0};
     uint32_t id = SPH_ID_NONE, shines = ~0u;
     const int32_t *r = s->m->regs;
@@ -107,7 +110,8 @@ struct draw_pixel draw_float(const struct draw_scene *s, struct draw_way way, in
     for (uint32_t i = 0; i < s->n; i++) {
         const struct sph_leaf *ball = &s->spheres[i];
         double ctr[3] = {(double)ball->ctr[0], (double)ball->ctr[1], (double)ball->ctr[2]};
-        struct floats hit = floats_hit(way.formula, org, dir, ctr, (double)ball->rad, 0, best.t);
+        struct sph_floats hit = sph_float_between(
+            sph_float_roots(way.formula, org, dir, ctr, (double)ball->rad), 0, best.t);
         if (!hit.hit) continue;
         best = hit;
         id = i;

@@ -21,7 +21,7 @@ struct draw_pixel {
     uint8_t rgb[3];
 };
 
-/* A way to draw: one of HARD_F32_TEXTBOOK to HARD_F64_TEXTBOOK, every step rounded to its type; of
+/* A way to draw: one of SPH_F32_TEXTBOOK to SPH_F64_TEXTBOOK, every step rounded to its type; of
  * a shadow ray what lies nearer than epsilon, in grid units, does not count. */
 struct draw_way {
     int formula;

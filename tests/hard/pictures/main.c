@@ -23,9 +23,9 @@ static const struct {
     int formula;
     double epsilon;
 } ways[] = {
-    {"float32 textbook", HARD_F32_TEXTBOOK, 1e-3}, {"without epsilon", HARD_F32_TEXTBOOK, 0},
-    {"float32 paper", HARD_F32_PAPER, 1e-3},       {"float32 Gems", HARD_F32_GEMS, 1e-3},
-    {"float64 textbook", HARD_F64_TEXTBOOK, 1e-3},
+    {"float32 textbook", SPH_F32_TEXTBOOK, 1e-3}, {"without epsilon", SPH_F32_TEXTBOOK, 0},
+    {"float32 paper", SPH_F32_PAPER, 1e-3},       {"float32 Gems", SPH_F32_GEMS, 1e-3},
+    {"float64 textbook", SPH_F64_TEXTBOOK, 1e-3},
 };
 enum { WAYS = sizeof ways / sizeof *ways, TEXTBOOK = 0, NO_EPSILON, PAPER, GEMS };
 
