@@ -16,7 +16,7 @@ from .. import intact, tasks
 from ..pages import data, measured
 from . import results, report
 
-TABLE = "speed_and_area.toggles"
+TABLE = "toggles"
 KINDS = "toggles", "clocked", "RAM ports"
 HEAD = ["frame", "commit", "core", "cycles", "LUT4eq", "FF"] + [
     f"{when}: {kind}" for when in ("busy", "idle") for kind in KINDS] + [
