@@ -3,7 +3,8 @@
 #
 # Of $target, $top and $flat (empty: the hierarchy stays): $map maps what was read, $defines is what
 # the sources are read with (rtl/memory/rt_memory.vh), $targets names all families.
-# Yosys 0.23 has no multipliers of gowin and efinix: there products are of LUTs.
+# Yosys 0.23 has no multipliers of gowin and efinix, and breaks off over those of ice40 (ICE40_DSP):
+# there products are of LUTs.
 targets='ecp5 xc7 gowin ice40 nexus gatemate efinix generic'
 keep=
 [ -n "$flat" ] || keep=-noflatten
@@ -15,7 +16,7 @@ ecp5) # -nowidelut: a 5-input function then takes as many LUT4 as it needs, not 
     ;;
 xc7) map="synth_xilinx -family xc7 -noiopad -noclkbuf ${flat:+-flatten} -top $top" ;;
 gowin) map="synth_gowin -noiopads $keep -top $top" ;;
-ice40) map="synth_ice40 -dsp $keep -top $top" ;;
+ice40) map="synth_ice40 $keep -top $top" ;;
 nexus) map="synth_nexus -noiopad $keep -top $top" ;;
 gatemate) map="synth_gatemate -noiopad -noclkbuf $keep -top $top" ;;
 efinix) map="synth_efinix $keep -top $top" ;;

@@ -8,11 +8,11 @@ from . import results
 
 # sizes that have a variable of their own
 VARIABLES = "PIPES", "LEAF_UNITS", "SHADES", "ROOT_STEP", "QUOTIENT_STEP"
-PRODUCTS = "Products are of LUTs: Yosys 0.23 has no multipliers of the family."
+PRODUCTS = "Products are of LUTs: Yosys 0.23 maps none to multipliers of the family."
 FILES = "The family has no memory in LUTs: slot files are of flip-flops."
 NOTE = {
     "gowin": PRODUCTS,
-    "ice40": FILES,
+    "ice40": f"{FILES} {PRODUCTS}",
     "nexus": "LUT4, and CCU2 of two LUT4 each.",
     "gatemate": FILES,
     "efinix": f"{FILES} {PRODUCTS}",
@@ -118,5 +118,5 @@ def main(folder, *keys):
             print(f"\n{target}\n{cores(runs, target)}")
     for run in runs:
         if results.too_much(run):
-            print(f"\n{run['key']} does not fit: {results.too_much(run)}")
+            print(f"\n{run['key']} does not fit {results.too_much(run)}")
     print(f"\nmodules: {folder}/report.md, {folder}/report.json")

@@ -81,15 +81,16 @@ EXTRA = {target: [("pp_bits", "product bits")] * (target == "generic") + [("bits
          for target in COLUMNS}
 SIZE = {"ecp5": "lut4eq", "generic": "gates"}  # else lut
 # the largest part of a family in which a core may not fit: its name, {column: how many}
-LARGEST = {"ice40": ("iCE40UP5K", {"mult": 8, "lut": 5280, "ff": 5280, "bram": 30})}
+LARGEST = {"ice40": ("iCE40HX8K", {"lut": 7680, "ff": 7680, "bram": 32})}
 
 
 def too_much(run):
-    """What of the largest part of its family a core exceeds, in words; empty: nothing."""
+    """Where a core does not fit, and what it exceeds there, in words; empty: it may fit."""
     name, has = LARGEST.get(run["target"], ("", {}))
     heads = {column: head for column, _, head in COLUMNS[run["target"]]}
-    return "; ".join(f"{name} has {most} {heads[column]}, not {run['core'][column]}"
-                     for column, most in has.items() if run["core"][column] > most)
+    over = [f"{run['core'][column]} of {most} {heads[column]}"
+            for column, most in has.items() if run["core"][column] > most]
+    return f"{name}: {', '.join(over)}" if over else ""
 
 
 def key(profile, cores, target="ecp5", engines="1", root="2", quotient="2"):

@@ -18,9 +18,9 @@ from . import results, report
 
 TABLE = "toggles"
 KINDS = "toggles", "clocked", "RAM ports"
-HEAD = ["core", "frame", "cycles", "LUT4eq", "FF"] + [
+HEAD = ["frame", "commit", "core", "cycles", "LUT4eq", "FF"] + [
     f"{when}: {kind}" for when in ("busy", "idle") for kind in KINDS] + [
-        "tools", "commit", "date"]
+        "tools", "date"]
 BLOCKS = 12  # rows of modules that are printed
 
 
@@ -88,7 +88,7 @@ def table(rows, clocks, tree):
                      - found[m][3] / (whole[3] or 1))
     lines = [[name] + [f"{n:.1f}" for n in a_clock(numbers, clocks)] for name, numbers in
              [("all", whole)] + [(name, found[name]) for name in ordered[:BLOCKS]]]
-    return report.table(["module"] + HEAD[5:11], lines)
+    return report.table(["module"] + HEAD[6:12], lines)
 
 
 def cells(stat):
@@ -115,7 +115,7 @@ def core_sh(options, env):
 
 def main(tool, build, scene, profile, effects, size, accel, record=False):
     """A frame of a scene on a core, profile auto: standard; accel as of sphaera build."""
-    folder = Path(build) / TABLE
+    folder = Path(build) / "toggles"
     folder.mkdir(parents=True, exist_ok=True)
     source = subprocess.run(["sim/scene.py", scene], check=True, text=True,
                             stdout=subprocess.PIPE).stdout.strip()
@@ -133,12 +133,13 @@ def main(tool, build, scene, profile, effects, size, accel, record=False):
         return
     yosys = subprocess.run(["yosys", "-V"], check=True, text=True, stdout=subprocess.PIPE).stdout
     cycles = re.search(r"(\d+) cycles", said)[1]
-    row = [netlist.name.removesuffix("-O0").replace("-", "-ecp5-", 1),
-           f"{scene} {size} {accel}", cycles, *map(str, cells(netlist / "ecp5.stat"))]
+    commit, day = measured.commit()
+    row = [f"{Path(source).stem} {size} {accel}", commit,
+           netlist.name.removesuffix("-O0").replace("-", "-ecp5-", 1), cycles,
+           *map(str, cells(netlist / "ecp5.stat"))]
     row += [f"{n:.1f}" for n in a_clock(summed(rows.values()), clocks)]
-    row += [" ".join(yosys.split()[:2]), *measured.commit()]
+    row += [" ".join(yosys.split()[:2]), day]
     path = data.FOLDER / f"{TABLE}.tsv"
     kept = data.read(TABLE)[1] if path.exists() else []
-    same = [0, 1, HEAD.index("commit")]
-    kept = [old for old in kept if [old[i] for i in same] != [row[i] for i in same]]
-    intact.write(path, data.of_rows([HEAD] + sorted(kept + [row])))
+    kept = [old for old in kept if old[:3] != row[:3]]
+    intact.write(path, data.of_rows([HEAD] + kept + [row]))

@@ -113,13 +113,16 @@ module rt_share #(
             reg  [16:0] a_q, b_q;
             reg  [33:0] p_q;
             always @(posedge clk) begin
-                a_q <= ph_q[1] ? ambient : ph_q[2] ? light_q : ph_q[3] ? gloss
-                       : ph_q[4] || ph_q[7] ? weight_q
-                       : ph_q[5] ? light_q : {1'b0, colour_q};
-                b_q <= ph_q[1] ? {8'd0, ka_q} : ph_q[2] ? {8'd0, kd_q} : ph_q[3] ? {9'd0, ks_q}
-                       : ph_q[4] ? {8'd0, part} : ph_q[7] ? {8'd0, rest}
-                       : ph_q[5] ? {9'd0, albedo_q[8*c +: 8]} : ph_q[8] ? weight_q : product[16:0];
-                if (over) b_q[7:0] <= 8'd0;
+                if (|ph_q[9:1]) begin          // else they stand still, and the product
+                    a_q <= ph_q[1] ? ambient : ph_q[2] ? light_q : ph_q[3] ? gloss
+                           : ph_q[4] || ph_q[7] ? weight_q
+                           : ph_q[5] ? light_q : {1'b0, colour_q};
+                    b_q <= ph_q[1] ? {8'd0, ka_q} : ph_q[2] ? {8'd0, kd_q} : ph_q[3] ? {9'd0, ks_q}
+                           : ph_q[4] ? {8'd0, part} : ph_q[7] ? {8'd0, rest}
+                           : ph_q[5] ? {9'd0, albedo_q[8*c +: 8]} : ph_q[8] ? weight_q
+                           : product[16:0];
+                    if (over) b_q[7:0] <= 8'd0;
+                end
                 p_q <= a_q * b_q;
             end
             wire [17:0] p_8  = p_q[24:7] + 18'd1;      // twice round(p / 2^8)

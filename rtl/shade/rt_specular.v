@@ -46,7 +46,7 @@ module rt_specular #(
             light_q  <= in_light_i;
             dir_q    <= in_dir_i;
             power_q  <= in_power_i;
-        end else begin
+        end else if (|ph_q[9:1]) begin
             normal_q <= {normal_q[17:0], normal_q[53:18]};
             light_q  <= {light_q[17:0], light_q[53:18]};
             dir_q    <= {dir_q[17:0], dir_q[53:18]};
@@ -84,7 +84,7 @@ module rt_specular #(
     wire [21:0]        round = full[37:16] + {21'd0, full[15]};
     reg  [16:0]        c_q;                // u1.16
     always @(posedge clk) begin
-        dot_q <= fresh ? prod : dot_q + prod;
+        if (|ph_q[10:2]) dot_q <= fresh ? prod : dot_q + prod;
         if (ph_q[5])  nl_q <= $signed(unit[17:0]);
         if (ph_q[8])  nd_q <= $signed(unit[17:0]);
         if (ph_q[11]) c_q  <= round[21] ? 17'd0 : |round[20:16] ? 17'h10000 : round[16:0];

@@ -31,9 +31,10 @@ module rt_longitude #(
     reg  [4:0] step_q;
     wire       take = in_valid_i && in_ready_o;
     wire       last = step_q == STEPS;
+    wire       moves = take || busy_q;     // else all stands still
     assign in_ready_o = !busy_q;
     always @(posedge clk) begin
-        step_q      <= take || last ? 5'd0 : step_q + 5'd1;
+        if (moves) step_q <= take || last ? 5'd0 : step_q + 5'd1;
         second_q    <= !take && (second_q || last);
         busy_q      <= take || (busy_q && !(last && second_q));
         out_valid_o <= busy_q && last && second_q;
@@ -89,7 +90,7 @@ module rt_longitude #(
     wire               up = !y_q[27];
     wire signed [27:0] dx = y_q >>> step_q, dy = x_q >>> step_q;
     wire signed [24:0] turn = zero_q ? 25'sd0 : sum_q;
-    always @(posedge clk) begin
+    always @(posedge clk) if (moves) begin
         x_q   <= up ? x_q + dx : x_q - dx;
         y_q   <= up ? y_q - dy : y_q + dy;
         sum_q <= up ? sum_q + $signed({3'd0, angle}) : sum_q - $signed({3'd0, angle});

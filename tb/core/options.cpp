@@ -76,7 +76,7 @@ const argp_option table[] = {
      "primitive; with --warm only in the second pass, which needs no line",
      0},
     {"gated", GATED, nullptr, 0,
-     "the core's clock stands still while active_o is low (not in Icarus, CXXRTL)", 0},
+     "the core's clock stands still while active_o is low (not in CXXRTL)", 0},
     {"reset-at", RESET_AT, "N[:CLOCKS]", 0,
      "begin the frame, reset in its N-th clock, from 0, for CLOCKS clocks (1), and begin again", 0},
     {"life", LIFE, nullptr, 0, "frames, resets and errors one after another", 0},

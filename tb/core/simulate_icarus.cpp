@@ -73,8 +73,9 @@ File start_bench(const Options &o, const std::string &base) {
         " +stall=" + std::to_string(o.stall) + " +seed=" + std::to_string(o.seed) +
         " +watchdog=" + std::to_string(o.watchdog) +
         " +error_at=" + std::to_string(o.bus_error_at) + " +warm=" + (o.warm ? "1" : "0") +
-        " +spoil=" + std::to_string(o.spoil) + " +reset_at=" + std::to_string(o.reset_at) +
-        " +reset_for=" + std::to_string(o.reset_for) + trace + " 3>&1 >'" + base + ".log' 2>&1";
+        " +gated=" + (o.gated ? "1" : "0") + " +spoil=" + std::to_string(o.spoil) +
+        " +reset_at=" + std::to_string(o.reset_at) + " +reset_for=" + std::to_string(o.reset_for) +
+        trace + " 3>&1 >'" + base + ".log' 2>&1";
     return popen(command.c_str(), "r"); // NOLINT(bugprone-command-processor): vvp has no library
 }
 

@@ -91,8 +91,8 @@ bool can(const Options &o, const sph_machine &machine, std::string &error) {
                false;
     if (!o.toggles.empty() && simulator != "netlist")
         return error = "--toggles: only a netlist is counted (SIM=ecp5)", false;
-    if (o.gated && simulator != "netlist" && simulator != "verilator")
-        return error = "--gated: not in " + simulator + ", whose clock does not stop", false;
+    if (o.gated && simulator == "cxxrtl")
+        return error = "--gated: not in cxxrtl, whose clock does not stop", false;
     return true;
 }
 

@@ -51,11 +51,14 @@ module tb_core_icarus #(
     wire [47:0] count_data;
     wire [`RT_ERRORS-1:0] errors;
     wire active;
+    reg gated = 1'b0, asked;   // the core's clock stands still while it does not ask for it
+    always @* if (!clk) asked = !gated || active;
+    wire core_clk = clk && asked;
 
     rt_core #(
         `include "rt_core_pass.vh"
     ) u_core (
-        .clk(clk), .rst(rst),
+        .clk(core_clk), .rst(rst),
         .cfg_valid_i(cfg_valid), .cfg_addr_i(cfg_addr), .cfg_data_i(cfg_data),
         .start_i(start), .keep_cache_i(keep), .busy_o(busy), .active_o(active),
         .mem_req_valid_o(req_valid), .mem_req_ready_i(req_ready), .mem_req_line_o(req_line),
@@ -82,6 +85,7 @@ module tb_core_icarus #(
         if (!$value$plusargs("watchdog=%d", watchdog)) watchdog = 200000;
         if (!$value$plusargs("error_at=%d", error_at)) error_at = -1;
         if (!$value$plusargs("warm=%d", warm)) warm = 0;
+        if (!$value$plusargs("gated=%d", gated)) gated = 1'b0;
         if (!$value$plusargs("spoil=%d", spoil)) spoil = -1;
         if (!$value$plusargs("reset_at=%d", reset_at)) reset_at = -1;
         if (!$value$plusargs("reset_for=%d", reset_for)) reset_for = 1;

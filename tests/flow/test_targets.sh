@@ -55,7 +55,7 @@ done <<'END'
 ecp5     DP16KD       1  TRELLIS_DPR16X4 2   MULT18X18D 1
 xc7      RAMB(18|36)E1 1 RAM32M          2   DSP48E1    1
 gowin    SDPX9B?      1  RAM16SDP4       2   -          -
-ice40    SB_RAM40_4K  3  SB_DFFE         128 SB_MAC16   3
+ice40    SB_RAM40_4K  3  SB_DFFE         128 -          -
 nexus    PDPS?C?16K   1  DPR16X4         2   MULT18X18  1
 gatemate CC_BRAM_[24]0K 1 CC_DFF         128 CC_MULT    1
 efinix   EFX_RAM_5K   2  EFX_FF          128 -          -

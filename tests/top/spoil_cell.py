@@ -1,9 +1,11 @@
-# spoil_cell.py - a netlist with a fault: a setting of one cell is changed
+# spoil_cell.py - a netlist with a fault: a setting of a cell, or of some, is changed
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 tests/top/spoil_cell.py NETLIST.json TYPE SETTING VALUE|- OUTPUT.json
+"""usage: python3 tests/top/spoil_cell.py NETLIST.json TYPE SETTING VALUE|- OUTPUT.json [NAME]
 The cell is that of TYPE which is nearest to the port pix_frame_o, going from outputs of cells to
-their inputs. -: all bits of its setting are inverted. Prints the cell and what was changed."""
+their inputs; with NAME, a regular expression, all cells in whose name it is found. -: all bits of a
+setting are inverted. Prints the cell, or the first of them, and what was changed."""
 import json
+import re
 import sys
 from collections import deque
 
@@ -34,14 +36,19 @@ def nearest(module, kind, setting):
 
 def main():
     """Reads, changes, writes."""
-    source, kind, setting, value, target = sys.argv[1:]
+    source, kind, setting, value, target, *pattern = sys.argv[1:]
     with open(source, encoding="utf-8") as file:
         whole = json.load(file)
     module = whole["modules"]["rt_core"]
-    name = nearest(module, kind, setting)
-    settings = module["cells"][name]["parameters"]
-    old = settings[setting]
-    settings[setting] = old.translate(str.maketrans("01", "10")) if value == "-" else value
+    names = [nearest(module, kind, setting)] if not pattern else [
+        name for name, cell in module["cells"].items() if cell["type"] == kind
+        and setting in cell["parameters"] and re.search(pattern[0], name)]
+    if not names:
+        raise SystemExit(f"no {kind} with {setting} is called {pattern[0]}")
+    for name in names:
+        settings = module["cells"][name]["parameters"]
+        old = settings[setting]
+        settings[setting] = old.translate(str.maketrans("01", "10")) if value == "-" else value
     with open(target, "w", encoding="utf-8") as file:
         json.dump(whole, file)
     print(f"{name}: {setting} {settings[setting]}, not {old}")

@@ -19,7 +19,9 @@ start cells
 machine none scenes/paper5.nff --size 16x12 --profile draft --lights 0 --depth 0
 machine cut scenes/interpenetrating.nff --size 16x12 --depth 2 --traverse first --background exact
 wanted "ecp5, draft, none" none SIM=ecp5 none
-wanted "ecp5, standard, all: spheres that cut each other" all SIM=ecp5 cut
+wanted "ecp5, draft, none; the clock stands still while active_o is low" none SIM=ecp5 none \
+    --warm --gated
+wanted "ecp5, standard, all: spheres that cut each other" all SIM=ecp5 cut --toggles "$TMP/toggles"
 if [ -n "${ALL:-}" ]; then
     machine lights scenes/eight_lights.nff --size 16x12
     optics=all+texture+refract+specular+sum
@@ -37,8 +39,29 @@ build_cores
 run_all
 judge
 
-# ---- one cell changed ----
+# ---- an idle core: what a counter that goes round costs, and no more ----
 unset BUILT
+STILL=80 # nets that change a clock
+idle() { # what --toggles wrote
+    awk -F'\t' 'NR == 1 { clocks = substr($0, index($0, " ")) } { sum += $5 }
+        END { print sum / clocks, "nets of an idle core change a clock"
+              exit !(NR > 100 && sum / clocks < '$STILL') }' "$1"
+}
+if [ -f "$TMP/toggles" ]; then
+    check "nothing toggles for nothing" idle "$TMP/toggles"
+    # the enable of a sum is taken out, which then adds what stands still for ever
+    all=$(SIM=ecp5 EFFECTS=all sh sim/core.sh --folder --machine "$machines/cut.sph")/ecp5.json
+    restless() {
+        python3 tests/top/spoil_cell.py "$all" TRELLIS_FF CEMUX 1 "$TMP/spoilt.json" \
+            'u_lambert\.s2_dot_q' &&
+            "$BUILD/sim/tb_core_netlist" --engine "$TMP/spoilt.json" --core all \
+                --machine "$machines/cut.sph" --toggles "$TMP/restless" >"$TMP/said" 2>&1
+        ! idle "$TMP/restless"
+    }
+    check "units that do not wait are noticed" restless
+fi
+
+# ---- one cell changed ----
 netlist=$(SIM=ecp5 EFFECTS=none sh sim/core.sh --folder --machine "$machines/none.sph")/ecp5.json
 drawn() { # netlist
     "$BUILD/sim/tb_core_netlist" --engine "$1" --core none --machine "$machines/none.sph" \
