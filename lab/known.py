@@ -1,13 +1,12 @@
 # known.py - cells and clocks of cores that pages have, for the tool: cmodel/trial/known_table.h
 # SPDX-License-Identifier: Apache-2.0
 """Writes FILE: a line a core of one engine for an ECP5, its cells from docs/results/data
-(accuracy.costs.tsv, whose profiles were synthesised together, else effects.costs.tsv) and its clock
+(accuracy.kinds.tsv, whose profiles were synthesised together, else effects.costs.tsv) and its clock
 from clocks.tsv."""
 import re
 
 from . import clocks, intact
 from .pages import data
-from .study.points import CORE, PROFILES
 
 HEAD = """/* known_table.h - generated from docs/results/data by `python3 -m lab known`; do not edit
  * SPDX-License-Identifier: Apache-2.0
@@ -22,13 +21,12 @@ KEY = re.compile(r"(?P<profile>[a-z]+)-ecp5-(?P<effects>[a-z0-9+]+)-engines1"
 def cells():
     """{(profile, effects, pipes): LUT4eq, MULT, DP16KD}"""
     found = {}
-    for table, name in (("effects.costs", "core"), ("accuracy.costs", "profile")):
+    for table in "effects.costs", "accuracy.kinds":
         head, rows = data.read(table)
         for row in rows:
             cell = dict(zip(head, (word.strip("`") for word in row)))
-            key = (cell[name], CORE) if name == "profile" else ("standard", cell[name])
-            if key[0] in PROFILES:
-                found[(*key, 1)] = [cell[what] for what in ("LUT4eq", "MULT", "DP16KD")]
+            found[(cell.get("profile", "standard"), cell["core"], 1)] = \
+                [cell[what] for what in ("LUT4eq", "MULT", "DP16KD")]
     return found
 
 

@@ -66,4 +66,5 @@ report: results
 page: $(PAGE:%=$B/synth/%/stat.json)
 	$(Q)python3 -m lab area-page docs/results/speed_and_area.md $B/synth $(PAGE)
 
--include $(patsubst %,$B/synth/%/sources.d,$(sort $(KEYS) $(PAGE)))
+-include $(patsubst %,$B/synth/%/sources.d,$(sort $(KEYS) $(PAGE))) \
+    $(patsubst %/stat.json,%/sources.d,$(filter %/stat.json,$(MAKECMDGOALS)))
