@@ -1,12 +1,13 @@
 # known.py - cells and clocks of cores that pages have, for the tool: cmodel/trial/known_table.h
 # SPDX-License-Identifier: Apache-2.0
 """Writes FILE: a line a core of one engine for an ECP5, its cells from docs/results/data
-(accuracy.kinds.tsv, whose profiles were synthesised together, else effects.costs.tsv) and its clock
-from clocks.tsv."""
+(accuracy.kinds.tsv, else accuracy.costs.tsv, else effects.costs.tsv) and its clock from
+clocks.tsv."""
 import re
 
 from . import clocks, intact
 from .pages import data
+from .study.points import CORE
 
 HEAD = """/* known_table.h - generated from docs/results/data by `python3 -m lab known`; do not edit
  * SPDX-License-Identifier: Apache-2.0
@@ -21,12 +22,13 @@ KEY = re.compile(r"(?P<profile>[a-z]+)-ecp5-(?P<effects>[a-z0-9+]+)-engines1"
 def cells():
     """{(profile, effects, pipes): LUT4eq, MULT, DP16KD}"""
     found = {}
-    for table in "effects.costs", "accuracy.kinds":
+    for table in "effects.costs", "accuracy.costs", "accuracy.kinds":
         head, rows = data.read(table)
         for row in rows:
             cell = dict(zip(head, (word.strip("`") for word in row)))
-            found[(cell.get("profile", "standard"), cell["core"], 1)] = \
-                [cell[what] for what in ("LUT4eq", "MULT", "DP16KD")]
+            if cell["LUT4eq"] != "-":
+                found[(cell.get("profile", "standard"), cell.get("core", CORE), 1)] = \
+                    [cell[what] for what in ("LUT4eq", "MULT", "DP16KD")]
     return found
 
 

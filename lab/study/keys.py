@@ -18,7 +18,7 @@ FIELDS = {
 }
 MODEL = [f"cmodel/{d}/*.[ch]" for d in (
     "builder", "common", "core", "engine", "machine", "math", "memory", "pixel", "prim",
-    "reference", "scene", "shade", "texture", "trace", "trial")]
+    "reference", "scene", "shade", "texture", "trace")] + ["cmodel/trial/*.c"]
 BUILD = [f"cmodel/{d}/*.[ch]" for d in ("builder", "scene")] + ["cmodel/machine/machine.def"]
 RTL = ["rtl/*/*.v", "rtl/*/*.vh"]
 

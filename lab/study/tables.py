@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 from ..pages import whole
 from ..synth import report
-from . import gather, points
+from . import gather, keys, points
 from .gather import COMMON, core_of
 
 
@@ -177,12 +177,14 @@ def decibels(study):
 
 
 def kinds(study):
-    """A picture's error, clocks a pixel and the cells of the scene's own core, kind by kind."""
+    """A picture's error, clocks a pixel and the cells of the scene's own core, kind by kind; cells
+    of a core that nobody has synthesised are a dash."""
     rows = []
     for what, (words, core) in points.KINDS.items():
         prices = study.price(words)
         for p in points.PROFILES:
-            of, cells = prices.get(p), study.cells({"profile": p, "core": core})
+            of, cells = prices.get(p), study.look(keys.job("cells", profile=p, core=core))
+            cells = cells and cells["core"]
             if of and of["core"] != core:
                 whole.lack(f"{words['scene']} asks for the core {of['core']}, not {core}")
             rows.append([what, scene_name(words["scene"]), name(p), core,
