@@ -69,6 +69,8 @@ EXPERIMENTS = [Experiment(*row) for row in (
      ["study.experiment:clocks BUILD"]),
     ("study-paths", "slow paths of a core placed with the first of SEEDS; minutes",
      ["study.experiment:paths BUILD"]),
+    ("study-estimate", "slow paths of a core that is not placed, estimated; a minute behind Yosys",
+     ["study.experiment:estimate BUILD"]),
     ("clock-budget", "MHz of blocks routed alone, or of BLOCK: synth/clock_budget.txt; two minutes",
      ["synth.clock_budget BUILD synth/clock_budget.txt"]),
     ("truth", "docs/results/accuracy.md: the model against POV-Ray, scene by scene",
@@ -138,7 +140,7 @@ GROUPS = {
          "what switches in a core's netlist, busy and idle"),
         ("placed-between", "synth.between", "NETLIST",
          "the registers that a core is placed between, Verilog"),
-        ("slow-paths", "synth.families", "SDF [LINES]", "slow paths of a placed core"),
+        ("slow-paths", "synth.families", "DELAYS [LINES]", "slow paths of a placed core"),
     ),
     "faults and proofs": (
         ("faults", "faults.__main__", "...", "plants those of tests/faults, tells who notices"),

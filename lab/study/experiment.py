@@ -1,4 +1,4 @@
-# experiment.py - make study, study-page, study-seeds and study-paths
+# experiment.py - make study, study-page, study-seeds, study-paths and study-estimate
 # SPDX-License-Identifier: Apache-2.0
 """RESULTS is the folder of results (BUILD/study/results): put those of several machines together.
 KINDS are kinds of jobs, accuracy, cycles, cells and price (all), ENGINE and JOBS what runs them
@@ -62,16 +62,23 @@ def install(build):
         pass
 
 
+def synthesised(build):
+    """SEEDS_CORE and the folder of its netlist."""
+    core = os.environ.get("SEEDS_CORE") or sys.exit("SEEDS_CORE is not set: make study-seeds")
+    folder = f"{build}/synth/{core}"
+    subprocess.run(["make", "-s", "-f", "make/area.mk", f"B={build}", f"{folder}/stat.json"],
+                   check=True, env=tasks.clean())
+    return core, folder
+
+
 def placed(build, count=None, **environment):
     """SEEDS_CORE placed with the first of SEEDS: (core, folders of its netlist and of the seeds,
     these seeds)."""
-    core, chosen = (os.environ.get(name) or sys.exit(f"{name} is not set: make study-seeds")
-                    for name in ("SEEDS_CORE", "SEEDS"))
-    chosen = chosen.split()[:count]
+    chosen = (os.environ.get("SEEDS") or sys.exit("SEEDS is not set: make study-seeds")).split()
+    chosen = chosen[:count]
     install(build)
-    folder, netlist = f"{build}/study/seeds/{core}", f"{build}/synth/{core}"
-    subprocess.run(["make", "-s", "-f", "make/area.mk", f"B={build}", f"{netlist}/stat.json"],
-                   check=True, env=tasks.clean())
+    core, netlist = synthesised(build)
+    folder = f"{build}/study/seeds/{core}"
     for word in chosen:
         speed, _, seed = word.partition("-")
         os.makedirs(f"{folder}/{word}", exist_ok=True)
@@ -90,3 +97,12 @@ def clocks(build):
 def paths(build):
     *_, folder, chosen = placed(build, 1, SDF="1")
     families.main(f"{folder}/{chosen[0]}/delays.sdf")
+
+
+def estimate(build):
+    """Slow paths of SEEDS_CORE by what its wires are expected to take, without nextpnr."""
+    _, folder = synthesised(build)
+    flat = f"{folder}/flat.json"
+    subprocess.run(["yosys", "-q", "-p", f"read_rtlil {folder}/netlist.il; flatten; "
+                    f"opt_clean -purge; write_json {flat}"], check=True)
+    families.main(flat)
