@@ -56,7 +56,8 @@ module f_slots #(
     (* hierconn *) wire \u_dut.g_setup[0].u_free.some_q , \u_dut.g_setup[0].u_free.room_q ;
     (* hierconn *) wire \u_dut.u_blended.some_q , \u_dut.u_blended.room_q ;
     (* hierconn *) wire \u_dut.u_skies.some_q , \u_dut.u_skies.room_q ;
-    (* hierconn *) wire \u_dut.g_probe.u_probe.u_queue.some_q , \u_dut.g_probe.u_probe.u_queue.room_q ;
+    (* hierconn *) wire \u_dut.g_probe.u_probe.u_queue.some_q ;
+    (* hierconn *) wire \u_dut.g_probe.u_probe.u_queue.room_q ;
     (* hierconn *) wire \u_dut.o_turn_blend , \u_dut.o_turn_sky ;
     (* hierconn *) wire [1:0] \u_dut.u_delivery.above_q ;
     (* hierconn *) wire \u_dut.o_sky_in , \u_dut.free_in , \u_dut.p_valid_q , \u_dut.sky_q ;

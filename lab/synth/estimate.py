@@ -25,7 +25,7 @@ def within(cell):
     """[(pin, pin, ps)] of a cell's own ways, [(pin, ps)] that begin and that end in it."""
     kind, having = cell["type"], cell["parameters"]
     if kind in ("LUT4", "INV"):
-        return [(a, z, LUT) for a in pins(cell, "[ABCD]") for z in pins(cell, "Z", "output")], [], []
+        return [(a, "Z", LUT) for a in pins(cell, "[ABCD]")], [], []
     if kind == "CCU2C":
         ways = [("CIN", "COUT", CARRY_ON), ("CIN", "S0", SUM), ("CIN", "S1", SUM)]
         for a in pins(cell, "[ABCD][01]"):

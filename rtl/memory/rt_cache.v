@@ -89,7 +89,7 @@ module rt_cache #(
     reg            s2_valid_q;
     reg  [`RT_LINE_BITS-1:0] s2_line_q;
     reg  [TAG-1:0] s2_tag_q;
-    reg  [WAYS-1:0] s2_low_q, s2_high_q;    // the way's line is the wanted one, by half its key each
+    reg  [WAYS-1:0] s2_low_q, s2_high_q;    // its line is the wanted one, by half a key each
     reg  [WAYS-1:0] s2_good_q;              // line of the way is held, without error
     reg  [WAYS-1:0] s2_coming_q;            // ... is on its way, whichever it is
     reg  [WAYS-1:0] s2_filled_q;

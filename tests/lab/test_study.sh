@@ -1,9 +1,10 @@
 # test_study.sh - the study of accuracy and time: small jobs end to end, broken results, the page
 # SPDX-License-Identifier: Apache-2.0
 #
-# The short form of the study (pictures and the price of one scene, one RTL frame on a core that other tests build
-# too, no synthesis), then what must not happen: a job done twice, half a file, a damaged result
-# that counts. lab/checks/page.py checks the page's numbers on results that are made up.
+# The short form of the study (pictures and the price of one scene, one RTL frame on a core that
+# other tests build too, no synthesis), then what must not happen: a job done twice, half a file, a
+# damaged result that counts. lab/checks/page.py checks the page's numbers on results that are made
+# up.
 set -u
 . "$(dirname "$0")/../tap.sh"
 cd "$(dirname "$0")/../.." || exit 1
