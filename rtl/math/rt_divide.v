@@ -9,7 +9,8 @@
 module rt_divide #(
     parameter DW   = 50,                     // divisor, bits
     parameter QW   = 34,                     // quotient, bits: x < d * 2^QW
-    parameter STEP = 2                       // quotient bits a clock: 1 to QW
+    parameter STEP = 2,                      // quotient bits a clock: 1 to QW
+    parameter AT_ONCE = 1                    // 1: operands may come as a result leaves, 0: behind it
 ) (
     input  wire             clk,
     input  wire             rst,             // synchronous, active high
@@ -74,7 +75,7 @@ module rt_divide #(
         end
     end
     assign out_valid_o = full_q && none_q;
-    assign in_ready_o  = !full_q || (out_valid_o && out_ready_i);
+    assign in_ready_o  = !full_q || (AT_ONCE != 0 && out_valid_o && out_ready_i);
     assign out_key_o   = {1'b0, low_q[QW-1:0]} + {{QW{1'b0}}, |rem_q};
 
     wire unused = &{1'b0, low_q, left[DW], x[DW+MW]};

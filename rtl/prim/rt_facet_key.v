@@ -153,7 +153,7 @@ module rt_facet_key #(
                 ranked_q <= ranked && !ranks;
                 if (rst) ranked_q <= 1'b0;
             end
-            rt_divide #(.DW(MW), .QW(WD), .STEP(1)) u_rank (
+            rt_divide #(.DW(MW), .QW(WD), .STEP(1), .AT_ONCE(0)) u_rank (
                 .clk(clk), .rst(rst), .in_valid_i(again), .in_ready_o(rank_ready),
                 .in_x_i(face), .in_d_i(num_q),
                 .out_valid_o(ranked), .out_ready_i(ranks),
