@@ -8,20 +8,26 @@ from . import gather, plots, points
 PICTURE = "docs/pictures/accuracy/pareto_milliseconds.svg"
 
 
-def series(time):
-    """A line a kind of scene: (time, error, profile) of each row of which the time is known."""
+def of(time):
+    """A line a kind of scene: (time, error, profile and time) of each row whose time is known."""
     found = {}
     for row in rates.rows("kinds"):
         if row[time][0].isdigit():
             found.setdefault(row["what"], []).append(
-                (float(row[time]), gather.error(float(row["dB"])), row["profile"].strip("`")))
+                (float(row[time]), gather.error(float(row["dB"])),
+                 f"{row['profile'].strip('`')} {row[time]}"))
     return list(found.items())
 
 
+def series():
+    """In milliseconds if every core is routed, else in clocks; and which of both."""
+    routed = of("ms a frame")
+    if sum(len(dots) for _, dots in routed) == len(points.KINDS) * len(points.PROFILES):
+        return routed, "ms a frame"
+    return of("cycles a pixel"), "clocks a pixel"
+
+
 def main(folder):
-    """In milliseconds if every core is routed, else in clocks."""
-    routed = sum(len(dots) for _, dots in series("ms a frame"))
-    every = routed == len(points.KINDS) * len(points.PROFILES)
-    time, unit = ("ms a frame", "ms a frame") if every else ("cycles a pixel", "clocks a pixel")
+    lines, unit = series()
     plots.draw(PICTURE, folder, f"What accuracy costs in time: frames of {points.PICTURE}, each on "
-               "its scene's own core (down: truer)", f"{unit} (log)", series(time), True)
+               "its scene's own core (down: truer)", f"{unit} (log)", lines, True)
