@@ -4,6 +4,7 @@
 (accuracy.kinds.tsv, else accuracy.costs.tsv, else effects.costs.tsv) and its clock from
 clocks.tsv."""
 import re
+from functools import lru_cache
 
 from . import clocks, intact
 from .pages import data
@@ -19,6 +20,7 @@ KEY = re.compile(r"(?P<profile>[a-z]+)-ecp5-(?P<effects>[a-z0-9+]+)-engines1"
                  r"(-pipes(?P<pipes>\d))?$")
 
 
+@lru_cache(maxsize=None)
 def cells():
     """{(profile, effects, pipes): LUT4eq, MULT, DP16KD}"""
     found = {}
