@@ -37,7 +37,7 @@
     {"standard", "shadow+reflect2+lights2+inside+facets", 1, 21286, 84, 95, 0, 0, 0, 0}, \
     {"standard", "shadow+reflect2+lights2+inside+facets+refract+specular+sum", 1, 26303, 91, 123, 0, 0, 0, 0}, \
     {"standard", "shadow+reflect2+lights2+inside+facets+texture+spread", 1, 31928, 100, 137, 0, 0, 0, 0}, \
-    {"standard", "shadow+reflect2+lights3+inside", 1, 15650, 64, 95, 122.7, 127.5, 133.5, 5}, \
+    {"standard", "shadow+reflect2+lights3+inside", 1, 16164, 64, 95, 122.7, 127.5, 133.5, 5}, \
     {"standard", "shadow+reflect2+lights3+inside+bih", 1, 0, 0, 0, 77.2, 77.2, 77.2, 1}, \
     {"standard", "shadow+reflect2+lights3+inside+facets", 1, 0, 0, 0, 105.3, 105.3, 105.3, 1}, \
     {"standard", "shadow+reflect2+lights3+inside+refract", 1, 0, 0, 0, 113.0, 113.0, 113.0, 1}, \
