@@ -5,7 +5,7 @@
 #define SPH_KNOWN_CORES \
     {"draft", "shadow+reflect2+lights3+inside", 1, 14179, 64, 91, 133.2, 133.2, 133.2, 1}, \
     {"fine", "shadow+reflect2+lights3+inside", 1, 19016, 64, 99, 124.2, 124.2, 124.2, 1}, \
-    {"reference", "shadow+reflect2+lights3+inside", 1, 20054, 64, 109, 123.3, 123.3, 123.3, 1}, \
+    {"reference", "shadow+reflect2+lights3+inside", 1, 20594, 64, 109, 123.3, 123.3, 123.3, 1}, \
     {"standard", "bih", 1, 11193, 20, 67, 0, 0, 0, 0}, \
     {"standard", "facets+boxes", 1, 24795, 66, 61, 0, 0, 0, 0}, \
     {"standard", "inside", 1, 12262, 55, 57, 0, 0, 0, 0}, \
