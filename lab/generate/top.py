@@ -29,8 +29,9 @@ def listed(values):
 
 class Registers:
     """registers of rt_top in the order of their offsets; machine: {number: name} of those of the
-    core; counters: {number: (name, what it counts)}; place: {MACHINE or COUNTERS: offset};
-    layers: whether the last register is there with parameter LAYERS alone."""
+    core, of_machine: the Registers, those of each light among them; counters: {number: (name, what
+    it counts)}; place: {MACHINE or COUNTERS: offset}; layers: whether the last register is there
+    with parameter LAYERS alone."""
 
     def __init__(self, machine, version="VERSION"):
         rows = machine.rows
@@ -45,6 +46,7 @@ class Registers:
         self.lines = Lines("cmodel/machine/top.def")
         self.lines.each(self.take)
         self.registers_of_machine = max(self.machine) + 1
+        self.of_machine = list(self.machine_registers(machine))
         self.counts = max(self.counters) + 1
 
     def take(self, kind, words, text):
@@ -90,6 +92,35 @@ class Registers:
         if lsb + width > 32 or lsb < free:
             self.lines.fail(f"bits of {register.name} overlap")
         register.fields.append(Field(lsb, width, name, about))
+
+    def machine_registers(self, machine):
+        """Each keeps all 32 bits; a register without a meaning has that of the one above it."""
+        fields, about, name, told_of = {}, {}, None, None
+        for kind, words in machine.rows:
+            if kind == "reg":
+                name, what = words[1], " ".join(words[2:])
+                about[name] = what or f"as {told_of}"
+                told_of = name if what else told_of
+            elif kind == "bits":
+                fields.setdefault(name, []).append(
+                    Field(int(words[0]), int(words[1]), words[2], " ".join(words[4:])))
+        fields["EFFECTS"] = [Field(e.bit, 1, e.name.upper(), e.about) for e in sorted(
+            (e for e in machine.effects.values() if e.bit is not None), key=lambda e: e.bit)]
+        fields["PROFILE"] = [
+            Field(int(lsb), int(width), key.upper(), " ".join(why[why.index(":") + 1:]))
+            for kind, (key, lsb, width, *why) in
+            (row for row in machine.rows if row[0] == "width")]
+        for number, name in sorted(self.machine.items()):
+            own = sorted(fields.get(name, [Field(0, 32, "VALUE", about[name])]))
+            end = sum(own[-1][:2])
+            if end < 32:
+                own.append(Field(end, 32 - end, "UNUSED", "kept, without a meaning"))
+            lights = machine.constants["MAX_LIGHTS"] if name.startswith("LIGHT0_") else 1
+            for light in range(lights):
+                at = self.number(self.place["MACHINE"]) + \
+                    4 * (number + light * machine.constants["LIGHT_STRIDE"])
+                yield Register(f"0x{at:03x}", name.replace("LIGHT0", f"LIGHT{light}"), "rw",
+                               "0x00000000", about[name], own)
 
     # ---- rt_top.vh ----
     def verilog(self):
@@ -183,9 +214,8 @@ class Registers:
             register(r.name, r.offset,
                      [(f, None if value is None else (value & mask(f)) >> f.lsb) for f in fields],
                      r.access, r.about)
-        for number, name in sorted(self.machine.items()):
-            register(f"M_{name}", f"0x{self.number(self.place['MACHINE']) + 4 * number:03x}",
-                     [(Field(0, 32, "VALUE", f"register {number} of the machine"), 0)], "rw")
+        for r in sorted(self.of_machine):
+            register(f"M_{r.name}", r.offset, [(f, 0) for f in r.fields], "rw", r.about)
         for number, (name, about) in sorted(self.counters.items()):
             for i, (half, width) in enumerate((("LOW", 32), ("HIGH", 16))):
                 at = self.number(self.place["COUNTERS"]) + 8 * number + 4 * i
