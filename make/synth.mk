@@ -17,12 +17,15 @@
 # SCENE counts only if it was asked for, not by its default.
 SYNTH_SCENE := $(if $(filter file,$(origin SCENE)),,$(filter auto,$(EFFECTS)))
 
+# shell: "PROFILE EFFECTS" of the core that is asked for
+ASKED = asked='$(if $(SYNTH_SCENE),,$(or $(filter-out auto,$(PROFILE)),standard) $(or \
+            $(filter-out auto,$(EFFECTS)),$(if $(filter bih brute,$(ACCEL)),all+bih,$(if \
+            $(filter box4,$(ACCEL)),all+boxes,all))))' && \
+        $(if $(SYNTH_SCENE),asked=$$($(call run,core,$(MACHINE_KEY))) &&) set -- $$asked
+
 .PHONY: area
 synth: $(if $(SYNTH_SCENE),$(TOOL)) ## area with Yosys: PROFILE and TARGET, or all; effects of SCENE
-	+$(Q)asked='$(if $(SYNTH_SCENE),,$(or $(filter-out auto,$(PROFILE)),standard) $(or \
-	    $(filter-out auto,$(EFFECTS)),$(if $(filter bih brute,$(ACCEL)),all+bih,$(if \
-	    $(filter box4,$(ACCEL)),all+boxes,all))))' && \
-	    $(if $(SYNTH_SCENE),asked=$$($(call run,core,$(MACHINE_KEY))) &&) set -- $$asked && \
+	+$(Q)$(ASKED) && \
 	    $(MAKE) --no-print-directory -f make/area.mk report B=$B V=$(V) \
 	    PROFILES=$(if $(SYNTH_SCENE),$(or $(filter all,$(PROFILE)),"$$1"),"$$1") \
 	    TARGETS=$(TARGET) EFFECTS="$$2" ENGINES=$(ENGINES) FLAT=$(FLAT) \

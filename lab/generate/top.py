@@ -191,36 +191,36 @@ class Registers:
                      f"#define SPHAERA_EACH_ERROR(X){each}", "", "#endif"])
 
     # ---- SystemRDL ----
+    def rows(self):
+        """(name, offset, access, what it is, [(Field, value after reset or None)]) of all that the
+        bus sees, by offset."""
+        for r in self.registers:
+            value = None if r.reset == "built" else self.number(r.reset)
+            fields = r.fields or [Field(0, 32, "VALUE", r.about)]
+            yield r.name, r.offset, r.access, r.about, \
+                [(f, None if value is None else (value & mask(f)) >> f.lsb) for f in fields]
+        for r in sorted(self.of_machine):
+            yield f"M_{r.name}", r.offset, "rw", r.about, [(f, 0) for f in r.fields]
+        for number, (name, about) in sorted(self.counters.items()):
+            for i, (half, width) in enumerate((("LOW", 32), ("HIGH", 16))):
+                at = self.number(self.place["COUNTERS"]) + 8 * number + 4 * i
+                yield f"C_{name}_{half}", f"0x{at:03x}", "ro", about, \
+                    [(Field(0, width, "VALUE", about), None)]
+
     def rdl(self):
         lines = [*verilog_head("rt_top.rdl", FROM), "addrmap rt_top {", '    name = "rt_top";',
                  "    default regwidth = 32;", "    default accesswidth = 32;",
                  "    addressing = compact;"]
-
-        def register(name, offset, fields, access="ro", about=None):
-            """fields: (Field, value after reset or None)"""
+        for name, offset, access, about, fields in self.rows():
             sw = {"ro": "r", "wo": "w"}.get(access, "rw")
             more = {"w1c": " onwrite = woclr;", "wo": " singlepulse;"}.get(access, "")
             hw = "w" if sw == "r" else "rw" if access == "w1c" else "r"
-            lines.append("    reg {")
-            lines.extend([f'        desc = "{about}";'] if about else [])
+            lines += ["    reg {", f'        desc = "{about}";']
             for f, value in fields:
                 reset = "" if value is None else f" = 0x{value:x}"
                 lines.append(f'        field {{ desc = "{f.about}"; sw = {sw}; hw = {hw};{more} }} '
                              f"{f.name}[{bits(f)}]{reset};")
             lines.append(f"    }} {name} @ {offset};")
-        for r in self.registers:
-            value = None if r.reset == "built" else self.number(r.reset)
-            fields = r.fields or [Field(0, 32, "VALUE", r.about)]
-            register(r.name, r.offset,
-                     [(f, None if value is None else (value & mask(f)) >> f.lsb) for f in fields],
-                     r.access, r.about)
-        for r in sorted(self.of_machine):
-            register(f"M_{r.name}", r.offset, [(f, 0) for f in r.fields], "rw", r.about)
-        for number, (name, about) in sorted(self.counters.items()):
-            for i, (half, width) in enumerate((("LOW", 32), ("HIGH", 16))):
-                at = self.number(self.place["COUNTERS"]) + 8 * number + 4 * i
-                register(f"C_{name}_{half}", f"0x{at:03x}",
-                         [(Field(0, width, "VALUE", about), None)])
         return told([*lines, "};"])
 
     # ---- the table of the page ----
