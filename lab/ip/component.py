@@ -15,6 +15,8 @@ BUSES = (("s_axil", "AXI4-Lite", "r0p0_0", "slave", "registers"),
          ("m_scan", "AXI4", "r0p0_0", "master", "reads of the frame that is shown"),
          ("m_video", "AXI4Stream", "r0p0_1", "master", "pixels of the display"))
 ACCESS = {"ro": "read-only", "rw": "read-write", "wo": "write-only", "w1c": "read-write"}
+TYPES = {"v": "verilogSource", "vh": "verilogSource", "sv": "systemVerilogSource", "c": "cSource",
+         "h": "cSource", "sdc": "SDC", "xdc": "tclSource"}      # of a file, by its ending
 BLOCK = 4096        # bytes of registers
 
 
@@ -95,7 +97,7 @@ def file(name):
     def entry(parent):
         one = add(parent, "file")
         add(one, "name", name)
-        add(one, "fileType", "verilogSource-2005" if name.startswith("rtl/") else "user")
+        add(one, "fileType", TYPES.get(name.rpartition(".")[2], "user"))
         if name.endswith(".vh"):
             add(one, "isIncludeFile", "true")
     return entry

@@ -83,9 +83,9 @@ def template(ports, values):
 def models(python, rdl, out):
     """UVM and HTML by the packages of `make ip-setup`, or a word that they are absent."""
     if not os.access(python, os.X_OK):
-        return "UVM and HTML register models: left out, PeakRDL is absent: make ip-setup"
-    said(python, "-m", "lab.ip.models", rdl, f"{out}/rt_top_uvm.sv", f"{out}/html")
-    return "UVM and HTML register models: PeakRDL"
+        return "no UVM and HTML register models: PeakRDL is absent, make ip-setup installs it"
+    return said(python, "-m", "lab.ip.models", rdl, f"{out}/{MARK}", f"{out}/rt_top_uvm.sv",
+                f"{out}/html").strip()
 
 
 def wanted(path):
@@ -129,11 +129,11 @@ def main(build, folder, profile, effects, *given):
         (out / "datasheet.md").write_text(sheet.text(
             build, core, release, profile, values, registers.registers_of_machine,
             (core, f"{core}-top" if plain else None), netlist, number))
-        told = models(f"{build}/venv/ip/bin/python", "docs/reference/rt_top.rdl", out)
         there = sorted(str(p.relative_to(out)) for p in out.rglob("*") if p.is_file())
         (out / MARK).write_text(component.text(
             registers, ports, {n: (v, about[n]) for n, v in values.items()}, there, release,
             len(netlist.ports["m_scene_araddr"][1])))
+        told = models(f"{build}/venv/ip/bin/python", "docs/reference/rt_top.rdl", out)
         if folder.exists():
             folder.rename(work / "old")
         out.rename(folder)
