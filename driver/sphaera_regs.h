@@ -40,6 +40,8 @@
 #define SPHAERA_CORE_BUS_VIDEO 0x00000100u /* there is a video output */
 #define SPHAERA_CORE_BUS_LAYERS_LSB 9u
 #define SPHAERA_CORE_BUS_LAYERS 0x00000200u /* frames have three layers, Rendering, L1 and L2 */
+#define SPHAERA_CORE_BUS_ADDR_LSB 10u
+#define SPHAERA_CORE_BUS_ADDR 0x0000fc00u /* bits of an address of the AXI4 masters, 32 to 40 */
 #define SPHAERA_CONTROL 0x020u /* wo: each one written is an order */
 #define SPHAERA_CONTROL_RESET 0x00000000u
 #define SPHAERA_CONTROL_START_LSB 0u
@@ -194,6 +196,16 @@
 #define SPHAERA_LAYER_BYTES_RESET 0x00000000u
 #define SPHAERA_LAYER_BYTES_UNITS_LSB 6u
 #define SPHAERA_LAYER_BYTES_UNITS 0xffffffc0u /* of 64 bytes, the bits below are 0 */
+#define SPHAERA_ADDRESS_HIGH 0x078u /* rw: with ADDR above 32, bits 39..32 of the addresses */
+#define SPHAERA_ADDRESS_HIGH_RESET 0x00000000u
+#define SPHAERA_ADDRESS_HIGH_FRAME0_LSB 0u
+#define SPHAERA_ADDRESS_HIGH_FRAME0 0x000000ffu /* of register FRAME0 */
+#define SPHAERA_ADDRESS_HIGH_FRAME1_LSB 8u
+#define SPHAERA_ADDRESS_HIGH_FRAME1 0x0000ff00u /* of FRAME1 */
+#define SPHAERA_ADDRESS_HIGH_FRAME2_LSB 16u
+#define SPHAERA_ADDRESS_HIGH_FRAME2 0x00ff0000u /* of FRAME2 */
+#define SPHAERA_ADDRESS_HIGH_SCENE_LSB 24u
+#define SPHAERA_ADDRESS_HIGH_SCENE 0xff000000u /* of SCENE_BASE */
 
 #define SPHAERA_MACHINE 0x200u
 #define SPHAERA_MACHINE_REGISTERS 120u

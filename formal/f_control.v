@@ -8,7 +8,8 @@
 `include "rt_layout.vh"
 `include "rt_top.vh"
 module f_control #(
-    parameter LAYERS = 0
+    parameter LAYERS = 0,
+    parameter ADDR = 32
 ) (
     input wire         clk,
     input wire         rst,
@@ -32,7 +33,8 @@ module f_control #(
     input wire         count_busy
 );
     localparam ALL = `RT_TOP_SETTINGS, OTHERS = `RT_TOP_OTHERS;
-    localparam SETTINGS = LAYERS ? ALL : ALL - `RT_TOP_SETTINGS_OF_LAYERS; // that there are
+    localparam [ALL-1:0] THERE = ~(`RT_TOP_SETTINGS_OF_LAYERS & {ALL{LAYERS == 0}} |
+                                   `RT_TOP_SETTINGS_OF_ADDR & {ALL{ADDR == 32}});
     localparam [32*ALL-1:0] RESET = `RT_TOP_SETTINGS_RESET, KEPT = `RT_TOP_SETTINGS_KEPT;
     localparam [12*ALL-1:0] AT = `RT_TOP_SETTINGS_AT;
     localparam [12*OTHERS-1:0]   OTHERS_AT = `RT_TOP_OTHERS_AT;
@@ -42,7 +44,7 @@ module f_control #(
     wire [6:0]  order;
     wire [3:0]  machine_write;
     wire [32*ALL-1:0] settings;
-    rt_control #(.LAYERS(LAYERS)) u_dut (
+    rt_control #(.LAYERS(LAYERS), .ADDR(ADDR)) u_dut (
         .clk(clk), .rst(rst), .s_awvalid(awvalid), .s_awready(awready), .s_awaddr(awaddr),
         .s_wvalid(wvalid), .s_wready(wready), .s_wdata(wdata), .s_wstrb(wstrb),
         .s_bvalid(bvalid), .s_bready(bready), .s_bresp(bresp), .s_arvalid(arvalid),
@@ -87,7 +89,7 @@ module f_control #(
     always @* begin
         known = nowhere >= `RT_TOP_COUNTERS && nowhere < `RT_TOP_COUNTERS + 8*`RT_TOP_COUNTS;
         if (nowhere >= `RT_TOP_MACHINE && nowhere < `RT_TOP_MACHINE + 4*`RT_N_REGS) known = 1'b1;
-        for (k = 0; k < SETTINGS; k = k + 1) if (nowhere == AT[12*k +: 12]) known = 1'b1;
+        for (k = 0; k < ALL; k = k + 1) if (THERE[k] && nowhere == AT[12*k +: 12]) known = 1'b1;
         for (k = 0; k < OTHERS; k = k + 1) if (nowhere == OTHERS_AT[12*k +: 12]) known = 1'b1;
     end
 
@@ -123,7 +125,7 @@ module f_control #(
     end
     always @* begin
         if (!old_q) assume (rst);
-        assume (number < SETTINGS && nowhere[1:0] == 0 && !known);
+        assume (number < ALL && THERE[number] && nowhere[1:0] == 0 && !known);
     end
 
     always @* if (old_q) begin

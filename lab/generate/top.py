@@ -7,6 +7,7 @@ from .lines import Lines, c_head, told, verilog_head
 
 FROM = "top.def and machine.def"
 WORD = (1 << 32) - 1
+ONLY = ("LAYERS", "ADDR")       # parameters that registers may depend on
 ACCESS = ("ro", "rw", "wo", "w1c")
 
 # offset, reset: as C and SystemRDL have them, 0x...; reset may be "built"
@@ -30,8 +31,8 @@ def listed(values):
 class Registers:
     """registers of rt_top in the order of their offsets; machine: {number: name} of those of the
     core, of_machine: the Registers, those of each light among them; counters: {number: (name, what
-    it counts)}; place: {MACHINE or COUNTERS: offset}; layers: whether the last register is there
-    with parameter LAYERS alone."""
+    it counts)}; place: {MACHINE or COUNTERS: offset}; only: {register: parameter with which alone
+    it is there}."""
 
     def __init__(self, machine, version="VERSION"):
         rows = machine.rows
@@ -42,7 +43,7 @@ class Registers:
         with open(version, encoding="utf-8") as f:
             major, minor, _ = f.read().strip().split(".")
         self.release = f"0x{int(major):04x}{int(minor):04x}"
-        self.registers, self.place, self.layers = [], {}, False
+        self.registers, self.place, self.only = [], {}, {}
         self.lines = Lines("cmodel/machine/top.def")
         self.lines.each(self.take)
         self.registers_of_machine = max(self.machine) + 1
@@ -56,9 +57,9 @@ class Registers:
         elif kind == "bits":
             self.field(int(words[0]), int(words[1]), words[2], about)
         elif kind == "only":
-            if words[0] != "LAYERS" or self.registers[-1].access != "rw":
-                self.lines.fail("only LAYERS, of a setting")
-            self.layers = True
+            if words[0] not in ONLY or self.registers[-1].access != "rw":
+                self.lines.fail(f"only {' or '.join(ONLY)}, of a setting")
+            self.only[self.registers[-1].name] = words[0]
         elif kind == "place":
             self.place[words[1]] = words[0]
         elif kind == "count":
@@ -73,8 +74,6 @@ class Registers:
 
     def register(self, words, about):
         offset, name, access, reset = words[:4]
-        if self.layers:
-            self.lines.fail("no register stands behind one of LAYERS alone")
         if access not in ACCESS:
             self.lines.fail("access is ro, rw, wo or w1c")
         before = self.number(self.registers[-1].offset) if self.registers else -1
@@ -144,7 +143,9 @@ class Registers:
         others.reverse()
         define("SETTINGS", len(settings))
         define("SETTINGS_RESET", listed(f"32'h{r.reset[2:]}" for r in settings))
-        define("SETTINGS_OF_LAYERS", int(self.layers))
+        for parameter in ONLY:     # from the highest down, too
+            there = "".join(str(int(self.only.get(r.name) == parameter)) for r in settings)
+            define(f"SETTINGS_OF_{parameter}", f"{len(settings)}'b{there}")
         define("OTHERS", len(others))
         define("OTHERS_AT", listed(f"12'h{r.offset[2:]}" for r in others))
         define("SETTINGS_KEPT", listed(

@@ -11,7 +11,8 @@
 module rt_video #(
     parameter DATA  = 64,                 // bits of a beat, 64 or 128
     parameter BURST = 16,                 // most beats of a burst, a power of two up to 4 KiB
-    parameter DEPTH = 512                 // words of the queue to the display, a power of two
+    parameter DEPTH = 512,                // words of the queue to the display, a power of two
+    parameter ADDR  = 32                  // bits of an address, 32 to 40
 ) (
     input  wire        clk,
     input  wire        rst,               // synchronous, active high; of the bus, too
@@ -24,7 +25,7 @@ module rt_video #(
     // to and from rt_frames
     output wire        take_o,            // vertical blanking begins: which frame is the next?
     input  wire        show_valid_i,      // from the clock after, until the next: there is one
-    input  wire [31:0] show_base_i,       // its address, a multiple of 64
+    input  wire [ADDR-1:0] show_base_i,   // its address, a multiple of 64
     output wire        blank_o,           // vertical blanking, or off
     output wire        underrun_o,        // one clock for a frame that missed a pixel
     output wire        error_o,           // one clock for a beat with SLVERR or DECERR
@@ -32,7 +33,7 @@ module rt_video #(
     // AXI4 read
     output wire        m_scan_arvalid,
     input  wire        m_scan_arready,
-    output wire [31:0] m_scan_araddr,
+    output wire [ADDR-1:0] m_scan_araddr,
     output wire [7:0]  m_scan_arlen,
     output wire [2:0]  m_scan_arsize,
     output wire [1:0]  m_scan_arburst,
@@ -106,7 +107,7 @@ module rt_video #(
     wire [DATA+1:0] put, word;
     wire [CB-1:0]   count;
     wire [23:0]     rgb;
-    rt_scan #(.DATA(DATA), .BURST(BURST), .DEPTH(DEPTH)) u_scan (
+    rt_scan #(.DATA(DATA), .BURST(BURST), .DEPTH(DEPTH), .ADDR(ADDR)) u_scan (
         .clk(clk), .rst(rst), .enable_i(on_q && !leave), // rst: memory owes beats after pix_rst
         .forget_i(forget_i), .h_active_i(mode_q[`RT_MODE_H_ACTIVE]),
         .v_active_i(mode_q[`RT_MODE_V_ACTIVE]), .rgb565_i(format_i), .double_i(double_i),
