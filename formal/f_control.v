@@ -38,7 +38,7 @@ module f_control #(
     localparam [32*ALL-1:0] RESET = `RT_TOP_SETTINGS_RESET, KEPT = `RT_TOP_SETTINGS_KEPT;
     localparam [12*ALL-1:0] AT = `RT_TOP_SETTINGS_AT;
     localparam [12*OTHERS-1:0]   OTHERS_AT = `RT_TOP_OTHERS_AT;
-    wire awready, wready, bvalid, arready, rvalid, irq;
+    wire awready, wready, bvalid, arready, rvalid, irq, busy;
     wire [1:0]  bresp, rresp;
     wire [31:0] rdata;
     wire [6:0]  order;
@@ -49,7 +49,7 @@ module f_control #(
         .s_wvalid(wvalid), .s_wready(wready), .s_wdata(wdata), .s_wstrb(wstrb),
         .s_bvalid(bvalid), .s_bready(bready), .s_bresp(bresp), .s_arvalid(arvalid),
         .s_arready(arready), .s_araddr(araddr), .s_rvalid(rvalid), .s_rready(rready),
-        .s_rdata(rdata), .s_rresp(rresp), .irq_o(irq), .built_i(built), .status_i(status),
+        .s_rdata(rdata), .s_rresp(rresp), .irq_o(irq), .busy_o(busy), .built_i(built), .status_i(status),
         .errors_i(errors), .happened_i(happened), .good_i(good), .order_o(order),
         .settings_o(settings), .machine_write_o(machine_write), .write_addr_o(),
         .write_data_o(), .read_addr_o(), .machine_data_i(machine_data),
@@ -138,6 +138,7 @@ module f_control #(
         if (rvalid && !r_wait_q && read_place_q) assert (rresp == 2'b00 && rdata == was_q);
         if (rvalid && !r_wait_q && read_built_q) assert (rresp == 2'b00 && rdata == built_q);
         if (read_q) assert (rvalid);                                      // never stuck
+        assert (busy == (aw_q || w_q || ar_q || bvalid || rvalid));
         assert (settings[32*number +: 32] == value_q);                    // as it was written
         if (order != 0) assert (does && {aw_addr_q, 2'd0} == `RT_TOP_CONTROL);
         if (machine_write != 0) assert (does && to_machine);

@@ -37,6 +37,8 @@ class Registers:
     def __init__(self, machine, version="VERSION"):
         rows = machine.rows
         self.machine = {int(words[0]): words[1] for kind, words in rows if kind == "reg"}
+        self.trees = {name: value for name, value in machine.constants.items()
+                      if name.startswith("TREE_")}
         self.errors = [(words[1], " ".join(words[2:])) for kind, words in rows if kind == "error"]
         self.counters = {int(words[0]): (words[1], " ".join(words[3:])) for kind, words in rows
                          if kind == "counter"}
@@ -183,6 +185,9 @@ class Registers:
         lines.append("")
         for number, name in sorted(self.machine.items()):
             define(f"REG_{name}", f"{number}u")
+        lines.append("")
+        for name, value in self.trees.items():
+            define(name, f"{value}u")
         lines.append("")
         for number, (name, _) in sorted(self.counters.items()):
             define(f"COUNT_{name}", f"{number}u")

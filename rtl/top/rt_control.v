@@ -33,6 +33,7 @@ module rt_control #(
     output reg  [31:0] s_rdata,
     output reg  [1:0]  s_rresp,
     output wire        irq_o,           // level
+    output wire        busy_o,          // something was taken and not answered
     // what stands in read-only registers
     input  wire [127:0] built_i,        // {CORE_BUS, CORE_PARTS, CORE_EFFECTS, CORE_PROFILE}
     input  wire [31:0] status_i,        // STATUS
@@ -179,6 +180,7 @@ module rt_control #(
             if (r_addr == AT[12*k +: 12]) read_value = settings_o[32*k +: 32];
         end
     end
+    assign busy_o = aw_full_q || w_full_q || s_bvalid || ar_full_q || s_rvalid;
     wire unused = &{1'b0, s_awaddr[1:0], s_araddr[1:0]};
 endmodule
 `default_nettype wire

@@ -26,6 +26,7 @@ module rt_top #(
     input  wire              clk,
     input  wire              rst,
     output wire              irq_o,            // level, while an enabled interrupt is set
+    output wire              active_o,         // 0: clk may stand still in this cycle
     // registers: AXI4-Lite
     input  wire              s_axil_awvalid,
     output wire              s_axil_awready,
@@ -167,10 +168,10 @@ module rt_top #(
     wire [32*`RT_TOP_SETTINGS-1:0] settings;
     wire [3:0]  machine_write;
     wire [31:0] write_data, machine_data, count_data;
-    wire        machine_busy, count_busy;
+    wire        machine_busy, count_busy, control_busy;
     wire [15:0] errors;
     wire        done, swap, frame_end, good;
-    wire        video_take, blank, underrun, scan_error, scan_stall;
+    wire        video_take, blank, underrun, scan_error, scan_stall, video_idle;
     wire [39:0] scene_base = {settings[`RT_TOP_SET_ADDRESS_HIGH_SCENE],
                               settings[`RT_TOP_SET_SCENE_BASE]};
     wire [39:0] frame0 = {settings[`RT_TOP_SET_ADDRESS_HIGH_FRAME0], settings[`RT_TOP_SET_FRAME0]};
@@ -185,7 +186,7 @@ module rt_top #(
         .s_bready(s_axil_bready), .s_bresp(s_axil_bresp), .s_arvalid(s_axil_arvalid),
         .s_arready(s_axil_arready), .s_araddr(s_axil_araddr), .s_rvalid(s_axil_rvalid),
         .s_rready(s_axil_rready), .s_rdata(s_axil_rdata), .s_rresp(s_axil_rresp), .irq_o(irq_o),
-        .built_i({bus, parts, `RT_EFFECTS_BUILT, PROFILE}), .status_i(status),
+        .busy_o(control_busy), .built_i({bus, parts, `RT_EFFECTS_BUILT, PROFILE}), .status_i(status),
         .errors_i(errors), .happened_i({underrun, swap, done}), .good_i(frame_end && good),
         .order_o(order), .settings_o(settings), .machine_write_o(machine_write),
         .write_addr_o(write_addr), .write_data_o(write_data), .read_addr_o(read_addr),
@@ -259,7 +260,7 @@ module rt_top #(
     wire [`RT_VISITS_BITS-1:0] pix_visits;
     wire [31:0] pix_texture;
     wire        core_active;
-    wire        unused_core = &{1'b0, core_active, pix_id, pix_key, pix_visits, pix_texture};
+    wire        unused_core = &{1'b0, pix_id, pix_key, pix_visits, pix_texture};
     rt_core #(
         `include "rt_core_pass.vh"
     ) u_core (
@@ -338,7 +339,7 @@ module rt_top #(
                 .double_i(settings[`RT_TOP_SET_VIDEO_DOUBLE]), .take_o(video_take),
                 .show_valid_i(show_valid_o), .show_base_i(show_base_o), .blank_o(blank),
                 .underrun_o(underrun), .error_o(scan_error), .stall_o(scan_stall),
-                .m_scan_arvalid(m_scan_arvalid), .m_scan_arready(m_scan_arready),
+                .idle_o(video_idle), .m_scan_arvalid(m_scan_arvalid), .m_scan_arready(m_scan_arready),
                 .m_scan_araddr(m_scan_araddr), .m_scan_arlen(m_scan_arlen),
                 .m_scan_arsize(m_scan_arsize), .m_scan_arburst(m_scan_arburst),
                 .m_scan_rvalid(m_scan_rvalid),
@@ -352,6 +353,7 @@ module rt_top #(
             );
         end else begin : g_no_video
             assign {video_take, blank, underrun, scan_error, scan_stall} = 5'd0;
+            assign video_idle = 1'b1;
             assign {m_scan_arvalid, m_scan_arid, m_scan_arlen, m_scan_arsize, m_scan_arburst,
                     m_scan_arcache, m_scan_arprot, m_scan_arqos, m_scan_rready} = 31'd0;
             assign m_scan_araddr = {ADDR{1'b0}};
@@ -361,5 +363,14 @@ module rt_top #(
                                   m_scan_rlast, pix_clk, pix_rst, m_video_tready, video_take};
         end
     endgenerate
+
+    // ---- what an idle block still looks at ----
+    reg  was_q;                          // so that what happened is seen in registers
+    wire now = rst || core_active || s_axil_awvalid || s_axil_wvalid || s_axil_arvalid ||
+               control_busy || machine_busy || count_busy || status[`RT_TOP_STATUS_BUSY] ||
+               status[`RT_TOP_STATUS_DRAINING] || !read_idle || !write_idle || take_i ||
+               !video_idle;
+    assign active_o = now || was_q;
+    always @(posedge clk) was_q <= now;
 endmodule
 `default_nettype wire

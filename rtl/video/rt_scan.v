@@ -43,6 +43,7 @@ module rt_scan #(
     input  wire [1:0]  m_scan_rresp,
     output wire        error_o,           // a beat came with SLVERR or DECERR
     output wire        stall_o,           // the bus owes something and does nothing
+    output wire        idle_o,            // it owes nothing
     // to the queue
     output wire        word_valid_o,
     output wire [DATA+1:0] word_data_o,
@@ -70,6 +71,7 @@ module rt_scan #(
     reg  [CB-1:0]   owed_q;               // beats on their way
     assign take_o = enable_i && frame_i != frame_q;
     wire idle     = owed_q == {CB{1'b0}} && !m_scan_arvalid;
+    assign idle_o = idle;
     reg  room_q;                          // for a burst, in the clock before, and no header since
     wire header   = begin_q && idle && room_q && !take_o && !forget_i && enable_i;
     always @(posedge clk) begin

@@ -30,6 +30,7 @@ module rt_video #(
     output wire        underrun_o,        // one clock for a frame that missed a pixel
     output wire        error_o,           // one clock for a beat with SLVERR or DECERR
     output wire        stall_o,           // the bus owes something and does nothing
+    output wire        idle_o,            // off, and all is seen that clk hears of the display
     // AXI4 read
     output wire        m_scan_arvalid,
     input  wire        m_scan_arready,
@@ -78,6 +79,8 @@ module rt_video #(
         if (!on_q && !shows_s) mode_q <= mode_i;
         if (clk_rst) on_q <= 1'b0;
     end
+    wire scan_idle;
+    assign idle_o = !clk_rst && !enable_i && !on_q && !leave_q && !shows_s && scan_idle;
     rt_sync u_on (.clk(pix_clk), .d_i(on_q), .q_o(on_s));
 
     // ---- timing ----
@@ -118,7 +121,7 @@ module rt_video #(
         .m_scan_arsize(m_scan_arsize), .m_scan_arburst(m_scan_arburst),
         .m_scan_rvalid(m_scan_rvalid), .m_scan_rready(m_scan_rready),
         .m_scan_rdata(m_scan_rdata), .m_scan_rresp(m_scan_rresp), .error_o(error_o),
-        .stall_o(stall_o), .word_valid_o(put_valid), .word_data_o(put), .word_count_i(count)
+        .stall_o(stall_o), .idle_o(scan_idle), .word_valid_o(put_valid), .word_data_o(put), .word_count_i(count)
     );
     rt_async_fifo #(.WIDTH(DATA + 2), .DEPTH(DEPTH)) u_words (
         .wr_clk(clk), .wr_rst(clk_rst), .wr_valid_i(put_valid), .wr_ready_o(put_ready),
