@@ -299,7 +299,15 @@ static void store(Checks &c, const Golden &a) {
         c.equals("frame done", sphaera_handle(&t.driver), SPHAERA_INTERRUPTS_FRAME_DONE);
         if (i % 3 == 0) continue;
         unsigned newest = c.newest();
-        c.equals("take", (uint64_t)sphaera_take(&t.driver, &shown), SPHAERA_OK);
+        if (i % 2) { /* by the port: then TAKE would show the same again */
+            t.clocks(4);
+            t.dut.take_i = 1;
+            t.clock();
+            t.dut.take_i = 0;
+            shown = (t.read(SPHAERA_STATUS) & SPHAERA_STATUS_SHOWN) >> SPHAERA_STATUS_SHOWN_LSB;
+        } else {
+            c.equals("take", (uint64_t)sphaera_take(&t.driver, &shown), SPHAERA_OK);
+        }
         c.equals("the newest is shown", shown, newest);
         c.equals("its address", t.dut.show_base_o, c.place(a, shown));
         c.equals("swap", sphaera_handle(&t.driver), SPHAERA_INTERRUPTS_SWAP);
@@ -328,9 +336,7 @@ static void store(Checks &c, const Golden &a) {
     t.write(SPHAERA_FRAME_MODE, 0);
     sphaera_interrupts(&t.driver, 0);
     c.choose(0);
-#ifndef SCRIPTED
     c.note("active_o was low, and clk stood still", t.stood > 0);
-#endif
     c.done("frame store: three frames, interrupts, counts");
 }
 
