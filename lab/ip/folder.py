@@ -24,7 +24,8 @@ from .netlist import Netlist
 
 OWN = ("ENGINES", "PIPES", "LEAF_UNITS", "SHADES", "ROOT_STEP", "QUOTIENT_STEP")
 ALONG = ("driver/sphaera.c", "driver/sphaera.h", "driver/sphaera_file.h", "driver/sphaera_regs.h",
-         "driver/sphaera_modes.h", "docs/reference/rt_top.rdl", "LICENSE",
+         "driver/sphaera_modes.h", "examples/linux/uio.c", "examples/linux/rt-top.dts",
+         "examples/linux/sphaera,rt-top.yaml", "docs/reference/rt_top.rdl", "LICENSE",
          "lab/ip/check_crossings.py", "lab/ip/netlist.py")
 MARK = "component.xml"          # by which a folder is known
 
@@ -118,7 +119,7 @@ def main(build, folder, profile, effects, *given):
             shutil.copyfile(name, out / name)
         (out / "driver").mkdir()
         for name in ALONG:
-            shutil.copy(name, out / "driver" if name.startswith("driver/") else out)
+            shutil.copy(name, out / "driver" if name.startswith(("driver/", "examples/")) else out)
         ports = {name: (way, len(bits)) for name, (way, bits) in netlist.ports.items()}
         registers = Registers(Definition())
         release = Path("VERSION").read_text(encoding="utf-8").strip()

@@ -60,6 +60,26 @@ check "its template elaborates with its own sources alone" elaborates
 check "its data sheet names a frame, a clock and each port" \
     [ "$(grep -c '^| `' "$ip/datasheet.md")" -gt 70 ]
 
+# ---- its driver, and the example for Linux ----
+check "the driver is freestanding C99, and UIO's example is built with it" \
+    "${CC:-gcc}" -std=c99 -pedantic -Wall -Wextra -Wconversion -Wshadow -Werror -I"$ip/driver" \
+    "$ip/driver/uio.c" "$ip/driver/sphaera.c" -o "$TMP/uio"
+"$TMP/uio" /dev/null LICENSE >"$TMP/said" 2>&1 && echo "exit code 0" >>"$TMP/said"
+check "... which says what a device lacks" [ "$(cat "$TMP/said")" = \
+    "uio: /dev/null: has no map1: reserved memory in the device tree" ]
+if command -v dtc >"$TMP/dtc"; then
+    check "the device tree's overlay" dtc -q -@ -O dtb -o "$TMP/dtbo" "$ip/driver/rt-top.dts"
+else
+    echo "# no dtc: the overlay is not compiled"
+fi
+properties() { # of the node, and of the binding: each is known there
+    sed -n '/ray-tracer/,/};/s/^ *\([a-z-]*\) = .*/\1/p' "$ip/driver/rt-top.dts" |
+        grep -v interrupt-parent | while read -r word; do
+        grep -q "^  $word:" "$ip/driver/sphaera,rt-top.yaml" || { echo "$word"; exit 1; }
+    done
+}
+check "the binding knows each property of its node" properties
+
 # ---- crossings, as who takes the folder checks them ----
 flat() (
     cd "$ip" || exit 1
