@@ -160,6 +160,8 @@ GROUPS = {
          "benches of modules, tb/benches*.txt, built and run"),
         ("layers", "lint_layers", "OBJECT...", "folders of cmodel are layers"),
         ("slang", "lint_slang", "FOLDERS FILE...", "Verilog as SystemVerilog, with pyslang"),
+        ("ip", "ip.folder", "BUILD FOLDER PROFILE EFFECTS [NAME=VALUE...]",
+         "a folder of rt_top for another project: make ip"),
         ("rdl", "top.rdl", "FILE", "registers of rt_top, with systemrdl-compiler"),
         ("cocotb", "top.cocotb_run", "FOLDER MACHINE FRAME DATA NAME=VALUE...", "rt_top in cocotb"),
         ("show-files", "top.show_files", "FOLDER MACHINE FRAME", "a machine for tb_show_icarus"),
