@@ -1,8 +1,8 @@
 # known.py - cells and clocks of cores that pages have, for the tool: cmodel/trial/known_table.h
 # SPDX-License-Identifier: Apache-2.0
 """Writes FILE: a line a core of one engine for an ECP5, its cells from docs/results/data
-(accuracy.costs.tsv, whose profiles were synthesised together, else effects.costs.tsv) and its clock
-from clocks.tsv."""
+(accuracy.costs, whose profiles were synthesised together, else effects.costs) and its clock from
+clocks.tsv."""
 import re
 
 from . import clocks, intact

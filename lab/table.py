@@ -157,7 +157,7 @@ GROUPS = {
     ),
     "checks of sources and blocks": (
         ("benches", "benches.run", "--tools --show [PATTERN] [SEED] [VECTORS]",
-         "benches of modules, tb/benches*.txt, built and run"),
+         "benches of modules, tb/benches.txt, built and run"),
         ("layers", "lint_layers", "OBJECT...", "folders of cmodel are layers"),
         ("slang", "lint_slang", "FOLDERS FILE...", "Verilog as SystemVerilog, with pyslang"),
         ("ip", "ip.folder", "BUILD FOLDER PROFILE EFFECTS [NAME=VALUE...]",
