@@ -108,6 +108,8 @@ def main(build, folder, profile, effects, *given):
         crossings = list(constraints.crossings(netlist))
         (out / "sphaera.xdc").write_text(constraints.xdc(crossings))
         (out / "sphaera.sdc").write_text(constraints.sdc(crossings, netlist.clocks))
+        inside = {n: v for n, v in values.items() if n not in lists.OF_SHELL}
+        elaborated("rt_core", inside, work / "core.json", work)
         wrong = check_crossings.ports(netlist)
         for kind in ("xdc", "sdc"):
             lines, number = check_crossings.check(netlist, f"{out}/sphaera.{kind}")
@@ -129,7 +131,8 @@ def main(build, folder, profile, effects, *given):
         plain = values["VIDEO"] == 1 and not values["LAYERS"] and values["DATA"] == 64
         (out / "datasheet.md").write_text(sheet.text(
             build, core, release, profile, values, registers.registers_of_machine,
-            (core, f"{core}-top" if plain else None), netlist, number))
+            (core, f"{core}-top" if plain else None), netlist, number,
+            Netlist(work / "core.json")))
         there = sorted(str(p.relative_to(out)) for p in out.rglob("*") if p.is_file())
         (out / MARK).write_text(component.text(
             registers, ports, {n: (v, about[n]) for n, v in values.items()}, there, release,

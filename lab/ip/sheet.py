@@ -53,8 +53,10 @@ def frames(profile, p):
             for n, scene in sorted(found)[:SCENES]] or [["frames", "none measured"]]
 
 
-def text(build, name, release, profile, p, registers, keys, netlist, crossings):
-    """p: {parameter: value}; keys: of rt_core and rt_top as synth/core.sh has them."""
+def text(build, name, release, profile, p, registers, keys, netlist, crossings,
+         inside):
+    """p: {parameter: value}; keys: of rt_core and rt_top as synth/core.sh has them;
+    netlist, inside: of rt_top, of rt_core."""
     core, shell = keys
     first = registers + START
     rows = [["release", release], ["core", f"`{name}`"],
@@ -76,7 +78,11 @@ such a core, memory that answers after 100 clocks:
 
 Clocks: {', '.join(netlist.clocks)}; crossings: {crossings}. Parameters: {shown}
 
-## Ports
+## Ports of rt_top
 
 {markdown.table(ports.HEAD, ports.table(netlist))}
+
+## Ports of rt_core in it
+
+{markdown.table(ports.HEAD, ports.table(inside))}
 """
