@@ -70,7 +70,8 @@ module f_frame_layers #(
     reg  [1:0]  turn_q;                   // the layer that is next of the group
     reg  [31:0] layer_q;
     reg  [ADDR-1:0] base_q, addr_q;
-    wire [ADDR-1:0] past = turn_q == 0 ? 0 : turn_q == 1 ? layer_q : 2 * layer_q; // layers before it
+    // layers before it
+    wire [ADDR-1:0] past = turn_q == 0 ? 0 : turn_q == 1 ? layer_q : 2 * layer_q;
     reg  [23:0] rgb_q;
     reg  [7:0]  mask_q;
     reg  [29:0] row_q;                    // product of these, of the clock before

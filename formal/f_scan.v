@@ -47,7 +47,8 @@ module f_scan #(
         .m_scan_arready(arready), .m_scan_araddr(araddr), .m_scan_arlen(arlen),
         .m_scan_arsize(arsize), .m_scan_arburst(arburst), .m_scan_rvalid(rvalid),
         .m_scan_rready(rready), .m_scan_rdata(rdata), .m_scan_rresp(rresp), .error_o(error),
-        .stall_o(stall), .idle_o(), .word_valid_o(word_valid), .word_data_o(word), .word_count_i(count_q)
+        .stall_o(stall), .idle_o(), .word_valid_o(word_valid), .word_data_o(word),
+        .word_count_i(count_q)
     );
     (* hierconn *) wire [CB-1:0] \u_dut.owed_q ;
     (* hierconn *) wire          \u_dut.read_q ;

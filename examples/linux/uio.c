@@ -10,6 +10,7 @@
  * memory with caches has to clean and invalidate them, too.
  */
 #define _POSIX_C_SOURCE 200809L
+#include <ctype.h>
 #include <fcntl.h>
 #include <inttypes.h>
 #include <poll.h>
@@ -57,14 +58,17 @@ static int failed(const char *what, const char *why) {
 
 /* A number of /sys/class/uio/NAME/maps/map1; 0 if there is none. */
 static uint64_t attribute(const char *device, const char *name) {
-    char path[256], text[32] = "";
+    char path[256];
     const char *base = strrchr(device, '/');
     snprintf(path, sizeof path, "/sys/class/uio/%s/maps/map1/%s", base ? base + 1 : device, name);
     FILE *f = fopen(path, "r");
     if (!f) return 0;
-    const char *line = fgets(text, sizeof text, f);
+    uint64_t value = 0;
+    if (getc(f) == '0' && getc(f) == 'x') /* so UIO writes them */
+        for (int c; isxdigit(c = getc(f));)
+            value = 16 * value + (uint64_t)(isdigit(c) ? c - '0' : tolower(c) - 'a' + 10);
     fclose(f);
-    return line ? strtoull(line, NULL, 0) : 0;
+    return value;
 }
 
 static int map(struct device *d, const char *name, int fd) {

@@ -102,8 +102,8 @@ module rt_frames #(
                     layer_q <= {cfg_data_i[1], cfg_data_i[1:0] == 2'd1};
                 if (end_i && good_i) newest_q <= layer_q;
                 if (take_i && fresh_q) shown_q <= newest_q;
-                if (take_i) show_base_q <= base + (layer == 2'd0 ? {ADDR{1'b0}} : layer == 2'd1 ? apart
-                                                   : {apart[ADDR-2:0], 1'b0});
+                if (take_i) show_base_q <= base + (layer == 2'd0 ? {ADDR{1'b0}}
+                    : layer == 2'd1 ? apart : {apart[ADDR-2:0], 1'b0});
             end
             assign show_base_o = show_base_q;
             wire unused = &{1'b0, cfg_data_i};

@@ -121,7 +121,8 @@ module rt_video #(
         .m_scan_arsize(m_scan_arsize), .m_scan_arburst(m_scan_arburst),
         .m_scan_rvalid(m_scan_rvalid), .m_scan_rready(m_scan_rready),
         .m_scan_rdata(m_scan_rdata), .m_scan_rresp(m_scan_rresp), .error_o(error_o),
-        .stall_o(stall_o), .idle_o(scan_idle), .word_valid_o(put_valid), .word_data_o(put), .word_count_i(count)
+        .stall_o(stall_o), .idle_o(scan_idle), .word_valid_o(put_valid), .word_data_o(put),
+        .word_count_i(count)
     );
     rt_async_fifo #(.WIDTH(DATA + 2), .DEPTH(DEPTH)) u_words (
         .wr_clk(clk), .wr_rst(clk_rst), .wr_valid_i(put_valid), .wr_ready_o(put_ready),
