@@ -21,7 +21,7 @@ struct sph_interval {
 /* One axis of a ray: a/|dir| in [mant, mant+2) * 2^-exp. */
 struct sph_bih_axis {
     int zero, negative; /* dir = 0; dir < 0 */
-    uint32_t mant;      /* u18, top or next bit set; 0 if zero */
+    uint32_t mant;      /* u18, top or next bit set; if zero, of a dir of 1 */
     int shift;          /* exp + t_shift - v_shift: what a product is shifted right by */
 };
 
