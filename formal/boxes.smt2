@@ -1,4 +1,4 @@
-; boxes.smt2 - why a box of cmodel/trace/box.h never rejects what is hit, for integers and reals
+; boxes.smt2 - why a box of cmodel/trace/bih.h never rejects what is hit, for integers and reals
 ; SPDX-License-Identifier: Apache-2.0
 ; Each lemma is denied, and must then have no solution; first its premises alone must have one.
 ; Of an axis: x = v mant / 2^shift, y = v q / 2^shift with q in [mant, mant + 2), mant >= 2^16, is

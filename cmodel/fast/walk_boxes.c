@@ -1,10 +1,10 @@
-/* walk_boxes.c - the walk of nodes of boxes, child by child: trace/box.c is read beside it
+/* walk_boxes.c - the walk of nodes of boxes, child by child: trace/bih.c is read beside it
  * SPDX-License-Identifier: Apache-2.0
  */
-#include "fast/planes.h"
+#include "fast/setup.h"
 #include "fast/sorted.h"
 #include "math/fx.h"
-#include "trace/box.h"
+#include "trace/bih.h"
 
 struct lanes {
     struct sph_bih_ray bih;

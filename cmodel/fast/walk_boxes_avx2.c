@@ -1,5 +1,5 @@
 /* walk_boxes_avx2.c - the walk of nodes of boxes, four children at once; compiled with -mavx2, see
- * walk.h; trace/box.c is read beside it
+ * walk.h; trace/bih.c is read beside it
  * SPDX-License-Identifier: Apache-2.0
  */
 #include "fast/decoded.h"
@@ -8,8 +8,8 @@
 #include <immintrin.h>
 
 #include "fast/keys_avx2.h"
-#include "fast/planes.h"
-#include "trace/box.h"
+#include "fast/setup.h"
+#include "trace/bih.h"
 
 struct lanes {
     struct sph_bih_ray bih;

@@ -4,7 +4,7 @@
 // from the last plane that it enters by to the first that it leaves by.
 //   1 products | 2 planes | 3 two axes | 4 the third | 5 is anything left; depth | 6 within limit
 // Latency 6, a box a clock.
-// Model: sph_box_meets() in cmodel/trace/box.c
+// Model: sph_box_meets() in cmodel/trace/bih.c
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"

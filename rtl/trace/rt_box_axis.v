@@ -7,7 +7,7 @@
 //   1 origin | 2 distance v, shifts | 3 product, step by bytes | 4 its sign, step by bits
 //   5 at by bytes | 6 by bits | 7 limits | 8 enter, leave; the step comes a clock before them
 // Nothing waits here: a node a clock, latency 8.
-// Model: sph_box_axes() in cmodel/trace/box.c
+// Model: sph_box_axes() in cmodel/trace/bih.c
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"

@@ -4,7 +4,7 @@
 // Shifts are those of a frame, once an axis; a plane of a child is a product and a sum.
 //   1 node beside its ray | 2..9 frame: rt_box_axis, three | 9..14 four times rt_box
 // `RT_BOXES_LATENCY clocks from node to result, a node a clock.
-// Model: sph_box_axes(), sph_box_meets() in cmodel/trace/box.c
+// Model: sph_box_axes(), sph_box_meets() in cmodel/trace/bih.c
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"

@@ -7,7 +7,7 @@
 #include "vectors.h"
 
 #include "math/fx.h"
-#include "trace/box.h"
+#include "trace/bih.h"
 
 enum { RAYS = 40000 / VEC_SHARE, PARTS = 256, BEYOND = SPH_BIH_NO_BOUND + 1 };
 
