@@ -103,7 +103,7 @@ static void set_up(struct sph_bih_ray *bih) {
         ASSUME(axis_holds(&bih->axis[i]));
 }
 
-void cut(struct sph_bih_ray bih, struct sph_ray ray, int axis, int64_t clip, int below) {
+void plane(struct sph_bih_ray bih, struct sph_ray ray, int axis, int64_t clip, int below) {
     struct sph_interval span = {0, SPH_BIH_NO_BOUND};
     set_up(&bih);
     ASSUME(axis >= 0 && axis < 3 && is_signed(clip, W + 2) && (below == 0 || below == 1));
