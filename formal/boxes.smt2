@@ -48,7 +48,7 @@
 (set-info :status unsat) (check-sat)
 (pop) (pop)
 
-; ---- plane n, from i <= floor(y), k = n step <= n g, j >= floor(y) + 1, m = n (step + 2) > n g ----
+; ---- plane n: i <= floor(y), k = n step <= n g, j >= floor(y) + 1, m = n (step + 2) > n g ----
 (declare-const i Int) (declare-const j Int) (declare-const k Int) (declare-const m Int)
 (declare-const ng Real)
 (push)
