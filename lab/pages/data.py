@@ -65,7 +65,7 @@ def of_markdown(text):
 
 
 def read(name):
-    """(column names, rows), of NAME.tsv, or of PAGE.TABLE, which stands in the page or in its file."""
+    """(column names, rows) of NAME.tsv, or of PAGE.TABLE: in the page, or in its file."""
     stem, _, table = name.partition(".")
     page = FOLDER.parent / f"{stem}.md"
     if not table:
