@@ -38,7 +38,10 @@ def names():
     """Every table of the folder, as read() takes it."""
     for path in sorted(FOLDER.glob("*.tsv")):
         page = FOLDER.parent / f"{path.stem}.md"
-        yield from (f"{path.stem}.{name}" for name in tables(page)) if page.exists() else [path.stem]
+        if page.exists():
+            yield from (f"{path.stem}.{name}" for name in tables(page))
+        else:
+            yield path.stem
 
 
 def put(page, texts):
