@@ -115,7 +115,7 @@ lemma() { # every check-sat says what `:status` before it says
         ! grep -q 'check annotation' "$dir/$1.log" || verdict="a lemma fails"
     fi
 }
-program() { # with the model's own functions, and no others; exit 0: all inputs hold, 1: one does not
+program() { # with the model's own functions; exit 0: all inputs hold, 1: one does not
     sources= sets=
     for f in trace/filter trace/setup prim/sphere math/arith core/stages; do
         sources="$sources cmodel/$f.c"
@@ -123,7 +123,8 @@ program() { # with the model's own functions, and no others; exit 0: all inputs 
     for p in $3; do sets="$sets -D$p"; done
     # shellcheck disable=SC2086  # lists of words
     $CC -std=c11 -O2 -Wall -Wextra -Wconversion -Wshadow -Werror -ffunction-sections \
-        -fdata-sections -Wl,--gc-sections -Icmodel $sets -o "$dir/$1" "formal/$2" $sources >"$dir/$1.log" 2>&1 || { verdict=error; return; }
+        -fdata-sections -Wl,--gc-sections -Icmodel $sets -o "$dir/$1" "formal/$2" $sources \
+        >"$dir/$1.log" 2>&1 || { verdict=error; return; }
     $NICE "$dir/$1" >>"$dir/$1.log" 2>&1
     case $? in 0) verdict=proved ;; 1) verdict="an input fails" ;; *) verdict=error ;; esac
 }

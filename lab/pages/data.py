@@ -38,7 +38,10 @@ def names():
     """Every table of the folder, as read() takes it."""
     for path in sorted(FOLDER.glob("*.tsv")):
         page = FOLDER.parent / f"{path.stem}.md"
-        yield from (f"{path.stem}.{name}" for name in tables(page)) if page.exists() else [path.stem]
+        if page.exists():
+            yield from (f"{path.stem}.{name}" for name in tables(page))
+        else:
+            yield path.stem
 
 
 def put(page, texts):
@@ -65,7 +68,7 @@ def of_markdown(text):
 
 
 def read(name):
-    """(column names, rows), of NAME.tsv, or of PAGE.TABLE, which stands in the page or in its file."""
+    """(column names, rows) of NAME.tsv, or of PAGE.TABLE: in the page, or in its file."""
     stem, _, table = name.partition(".")
     page = FOLDER.parent / f"{stem}.md"
     if not table:

@@ -1,10 +1,10 @@
 # measured.py - which run made each measured table of the pages: command, commit, day
 # SPDX-License-Identifier: Apache-2.0
 """A measured table stands between `<!-- NAME -->` and `<!-- end -->` of a page, or in the page's
-file of the folder `data` beside it (data.py). The record has a line for each: page, table, command, the last commit that
-changed sources, its day, digest of the table. place.py alone writes such a table and its line, at
-once, when a command has measured that table whole. A page says with the region `measured PAGE` what
-the record has of it.
+file of the folder `data` beside it (data.py). The record has a line for each: page, table, command,
+the last commit that changed sources, its day, digest of the table. place.py alone writes such a
+table and its line, at once, when a command has measured that table whole. A page says with the
+region `measured PAGE` what the record has of it.
 
 Whether sources have changed since is no matter of the pages: `make pages-age` tells it."""
 import hashlib

@@ -4,12 +4,14 @@
 import sys
 from pathlib import Path
 
-# NAME: the words of a command line, each a line of the input
+# NAME: the words of a command line, each a line of the input; a line with two blanks goes on
 OPTIONS = """
 accuracy: accuracy x.nff --truth t.png -d d.png
 background: background x.nff --pictures p --ignore-work --bg-points 16 --bg-border 2
-build: build x.nff -o x.sph --profile standard --tree balanced --depth 3 --size 64x48 --background exact --bg-levels 1
-build2: build x.nff -o x.sph --accel bih --max-prims 3 --max-tree-depth infinity --frames 0..9 --refit auto --stats --json -
+build: build x.nff -o x.sph --profile standard --tree balanced --depth 3 --size 64x48
+  --background exact --bg-levels 1
+build2: build x.nff -o x.sph --accel bih --max-prims 3 --max-tree-depth infinity --frames 0..9
+  --refit auto --stats --json -
 compare: compare a.png b.png -d d.png
 export: export x.nff -o x.pov
 exportc: export x.sph --c-array n -o x.h --plain
@@ -22,12 +24,14 @@ movie: movie a.png b.png -o m.gif --rate 10
 operations: operations
 program_name: load --p= x.sph
 reference: reference x.nff -o r.png --samples 2
-render: render x.nff --size=8x8 -o x.png --frame f --json j --exr e.exr --depths d.png --transfer srgb --threads 2
+render: render x.nff --size=8x8 -o x.png --frame f --json j --exr e.exr
+  --depths d.png --transfer srgb --threads 2
 render2: render x.sph --walk w.png --pixel 3,4 --samples 4 --traverse brute --progress
 texels: texels x.nff --filter level --levels 3 --json t
 trees: trees x.nff --json t --size 16x9 --scale 2
 view: view x.nff --script s --record r.mp4 --rate 25
-widths: build --profile draft:w=14,wd=15 --error 0.125,45 x.nff -ox.sph --lights 2 --shadow off --inside auto
+widths: build --profile draft:w=14,wd=15 --error 0.125,45 x.nff -ox.sph
+  --lights 2 --shadow off --inside auto
 """
 
 # what fuzzers found
@@ -88,7 +92,7 @@ FOUND = {
 
 def main(folder):
     found = dict(FOUND)
-    for line in OPTIONS.strip().splitlines():
+    for line in OPTIONS.strip().replace("\n  ", " ").splitlines():
         name, _, words = line.partition(": ")
         found[f"options/{name}"] = (words.replace(" ", "\n") + "\n").encode()
     for name, text in found.items():

@@ -3,9 +3,9 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # usage: tests/fuzz/corpus.sh TOOL FOLDER
-# Scenes are those of tests/fuzz/corpus and small ones of scenes/; command lines are in corpus.py;
-# machine files, frame files and images are made of scenes by the tool. FOLDER/NAME has the inputs of
-# a harness.
+# Scenes are those of tests/fuzz/corpus and small ones of scenes/, command lines those of corpus.py;
+# machine files, frame files and images are made of scenes by the tool. FOLDER/NAME has the inputs
+# of a harness.
 set -eu
 tool=$1 to=$2
 cd "$(dirname "$0")/../.."

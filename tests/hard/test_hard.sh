@@ -43,7 +43,7 @@ campaign() { # every family in each profile, nothing wrong
             exit bad || n != 4
         }' "$TMP/families" docs/results/data/hard_cases.tsv
 }
-check "table campaign of hard_cases.tsv: 5 million cases of every family in each profile, 0 wrong" campaign
+check "table campaign: 5 million cases of every family in each profile, 0 wrong" campaign
 pictures() { # the same pixels and counts; the model shows no other sphere
     mkdir -p "$TMP/pictures" || return 1
     "$hard-pictures" tests/hard/pictures "$TMP/pictures" >"$TMP/counts" || return 1
