@@ -41,6 +41,8 @@ static int draw(struct sph_census *c, const struct sph_machine *m, const uint32_
             *to |= (met.prims[id] >> l & 1) << lights[l];
     }
     c->inside |= met.inside;
+    c->passed |= met.passed;
+    c->depths |= met.depths;
     free(met.prims);
     return errors < 0 ? -1 : 0;
 }
@@ -86,6 +88,9 @@ const struct sph_unmet *sph_census_unmet(struct sph_census *c, struct sph_scene 
     c->unmet.prims = c->shaded;
     c->unmet.shadow = !(c->blocked & ~c->unmet.lights);
     c->unmet.inside = !c->inside;
+    c->unmet.clear = !c->passed;
+    while (c->depths >> c->unmet.depth > 1)
+        c->unmet.depth++;
     return &c->unmet;
 }
 
@@ -110,6 +115,10 @@ static int spare(const struct sph_census *c, const struct sph_machine *m, const 
                 {SPH_EFFECT_SPREAD, SPH_PRIM_BEND_LSB, SPH_PRIM_BEND_BITS}};
     if (sph_machine_effect(m, SPH_EFFECT_SHADOW) && c->unmet.shadow) return 1;
     if (sph_machine_effect(m, SPH_EFFECT_INSIDE) && c->unmet.inside) return 1;
+    if (sph_machine_effect(m, SPH_EFFECT_CLEAR) && c->unmet.clear) return 1;
+    int most = m->regs[SPH_REG_MAX_DEPTH];
+    if (c->unmet.depth < most && (!c->unmet.depth || most > sph_parts[SPH_PART_REFLECT].all))
+        return 1;
     for (size_t a = 0; a < sizeof asks / sizeof *asks; a++) {
         int met = !sph_machine_effect(m, asks[a].effect);
         for (uint32_t id = 0; !met && id < (uint32_t)m->regs[SPH_REG_N_PRIMS]; id++) {
@@ -241,6 +250,7 @@ static int on_own_grid(const struct task *t, const struct sph_unmet *whole,
     if (!rc && sph_census_unmet(&c, &same, t->o)) {
         c.unmet.lights = whole->lights;
         c.unmet.shadow = !c.blocked;
+        c.unmet.fewer = 1;
         rc = build(t, rest, &c.unmet, err);
     }
     sph_census_free(&c);
@@ -267,7 +277,7 @@ static int leave_out(const struct task *t, struct sph_census *c, const struct sp
                                          : on_own_grid(t, unmet, &rest, err);
     release(&rest);
     if (rc) return rc;
-    t->m->regs[SPH_REG_ONE_CAMERA] = 1;
+    sph_emit_camera(t->m, t->report);
     tell(scene, drop, n, t->report->left_out, sizeof t->report->left_out);
     return 0;
 }

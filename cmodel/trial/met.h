@@ -14,10 +14,11 @@ enum { SPH_CENSUS_PIXELS = 1 << 22 };
 
 /* What rays of some frames of a scene met. All zeros: of none. */
 struct sph_census {
-    uint32_t n;                    /* primitives of the scene: spheres, then facets */
-    uint32_t *prims;               /* of each: SPH_MET_SHADED, and by lights of the scene */
-    uint32_t lights;               /* of the scene that the machines have, a bit each */
-    uint32_t lit, blocked, inside; /* as in core/met.h, by lights of the scene */
+    uint32_t n;                      /* primitives of the scene: spheres, then facets */
+    uint32_t *prims;                 /* of each: SPH_MET_SHADED, and by lights of the scene */
+    uint32_t lights;                 /* of the scene that the machines have, a bit each */
+    uint32_t lit, blocked;           /* as in core/met.h, by lights of the scene */
+    uint32_t inside, passed, depths; /* the same */
     uint64_t pixels;
     const char *kept; /* NULL, or why all is kept */
     /* what sph_census_unmet() has made of it */

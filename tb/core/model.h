@@ -11,6 +11,7 @@ extern "C" {
 #include "core/frame_file.h"
 #include "core/stages.h"
 
+#include "machine/camera.h"
 #include "machine/machine.h"
 #include "machine/parts.h"
 #include "render/render.h"
