@@ -257,6 +257,19 @@ static int on_own_grid(const struct task *t, const struct sph_unmet *whole,
     return rc;
 }
 
+/* Numbers that primitives have without those of drop[] become numbers in the scene. */
+static int renumber(const struct sph_census *c, const uint8_t *drop, const struct sph_machine *m,
+                    uint32_t *numbers, struct sph_error *err) {
+    uint32_t *kept = malloc(((size_t)c->n + 1) * sizeof *kept), n = 0;
+    if (!kept) return sph_fail(err, "%s: no memory", m->name);
+    for (uint32_t i = 0; i < c->n; i++)
+        if (!drop[i]) kept[n++] = i;
+    for (uint32_t id = 0; id < (uint32_t)m->regs[SPH_REG_N_PRIMS]; id++)
+        numbers[id] = kept[numbers[id]];
+    free(kept);
+    return 0;
+}
+
 /* Leaves out what the census of the machine with everything says. */
 static int leave_out(const struct task *t, struct sph_census *c, const struct sph_scene *scene,
                      uint8_t *drop, struct sph_error *err) {
@@ -276,7 +289,7 @@ static int leave_out(const struct task *t, struct sph_census *c, const struct sp
     int rc = without(&dark, drop, &rest) ? sph_fail(err, "%s: no memory", scene->path)
                                          : on_own_grid(t, unmet, &rest, err);
     release(&rest);
-    if (rc) return rc;
+    if (rc || renumber(c, drop, t->m, t->o->numbers, err)) return -1;
     sph_emit_camera(t->m, t->report);
     tell(scene, drop, n, t->report->left_out, sizeof t->report->left_out);
     return 0;
@@ -290,15 +303,16 @@ int sph_build_met(const struct sph_scene *scene, struct sph_build_options *o, in
     struct task t = {o, choose, bound, choice, machine, report};
     size_t n = (size_t)scene->n_spheres + scene->n_facets + 1;
     uint8_t *drop = calloc(n, 1);
+    uint32_t *numbers = o->numbers;
     memset(machine, 0, sizeof *machine);
-    o->numbers = calloc(n, sizeof *o->numbers);
+    if (!numbers) o->numbers = calloc(n, sizeof *o->numbers);
     int rc = o->numbers && drop ? 0 : sph_fail(err, "%s: no memory", scene->path);
     if (!rc) rc = look(&t, &c, scene, err);
     if (!rc) rc = leave_out(&t, &c, scene, drop, err);
     if (rc) sph_machine_free(machine);
     sph_census_free(&c);
-    free(o->numbers);
-    o->numbers = NULL;
+    if (!numbers) free(o->numbers);
+    o->numbers = numbers;
     free(drop);
     return rc;
 }

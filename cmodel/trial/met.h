@@ -41,7 +41,7 @@ void sph_census_free(struct sph_census *c);
 
 /* sph_build_kept() without what the rays of the frame do not meet: effects, lights, and what would
  * make the grid coarse. report->left_out says what besides effects and lights. options->numbers
- * must be NULL. */
+ * gets numbers of the whole scene. */
 int sph_build_met(const struct sph_scene *scene, struct sph_build_options *options, int choose,
                   const struct sph_error_bound *bound, struct sph_profile_choice *choice,
                   struct sph_machine *machine, struct sph_build_report *report,
