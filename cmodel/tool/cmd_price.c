@@ -236,8 +236,9 @@ int tool_price(int argc, char **argv) {
         "dB and pixels that see a wrong object (or one where there is none) are measured against "
         "the scene as it is written, in double precision, where doubles can tell (undec.: where "
         "they cannot); expected: what `build` goes by, at least. Cycles a pixel are of one engine, "
-        "from the work of the golden model; cells, clock and milliseconds are of the very core "
-        "that the scene asks for, if it was measured. The first row that keeps --error is marked. "
+        "from the work of the golden model; cells, clock and milliseconds are of the core "
+        "that `make sim` runs, ~ if they are estimated. The first row that keeps --error is "
+        "marked. "
         "--profile: a row of these widths alone.",
         children,
         NULL,
