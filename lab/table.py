@@ -35,6 +35,8 @@ EXPERIMENTS = [Experiment(*row) for row in (
      ["effects.scenes TOOL BUILD/effects BUILD/synth", "effects.scenes:cores BUILD",
       "effects.run:every TOOL BUILD/effects",
       "effects.page docs/results/effects.md BUILD/effects BUILD/synth"]),
+    ("left-out", "what leaving out saves, cells and cycles: docs/results/effects.md; 20 minutes",
+     ["effects.left_out TOOL BUILD docs/results/effects.md"]),
     ("moving", "build, refit, upload and draw, frame by frame: docs/results/trees.md",
      ["moving:measure TOOL BUILD/moving", "moving:page docs/results/trees.md BUILD/moving"]),
     ("papers", "the three papers claim by claim: docs/results/papers.md; five minutes",
