@@ -139,7 +139,7 @@ ENGINE ?= make
 BART ?=
 ## BOARD ulx3s_ram|ulx3s_sdram of make board, board-cells
 BOARD ?= ulx3s_ram
-## KINDS <word>| of make study: accuracy, cycles, cells, joined by commas (empty: all)
+## KINDS <word>| of make study: accuracy, cycles, cells, price, joined by commas (empty: all)
 KINDS ?=
 ## PROVE <word>| proofs that `make formal` does, by part of the name (empty: all; quick: short ones)
 PROVE ?=
