@@ -4,9 +4,9 @@
 /* profile, effects, pipes, LUT4eq, MULT18X18D, DP16KD, worst, median, best MHz, seeds; nothing is
  * estimated */
 #define SPH_KNOWN_CORES \
-    {"draft", "shadow+reflect2+lights3+inside", 1, 14179, 64, 91, 133.2, 133.2, 133.2, 1, 0, 0}, \
-    {"fine", "shadow+reflect2+lights3+inside", 1, 19016, 64, 99, 124.2, 124.2, 124.2, 1, 0, 0}, \
-    {"reference", "shadow+reflect2+lights3+inside", 1, 20054, 64, 109, 123.3, 123.3, 123.3, 1, 0, 0}, \
+    {"draft", "shadow+reflect2+lights3+inside", 1, 14728, 64, 91, 133.2, 133.2, 133.2, 1, 0, 0}, \
+    {"fine", "shadow+reflect2+lights3+inside", 1, 19589, 64, 99, 124.2, 124.2, 124.2, 1, 0, 0}, \
+    {"reference", "shadow+reflect2+lights3+inside", 1, 20571, 64, 109, 123.3, 123.3, 123.3, 1, 0, 0}, \
     {"standard", "bih", 1, 11193, 20, 67, 0, 0, 0, 0, 0, 0}, \
     {"standard", "facets+boxes", 1, 24795, 66, 61, 0, 0, 0, 0, 0, 0}, \
     {"standard", "inside", 1, 12262, 55, 57, 0, 0, 0, 0, 0, 0}, \
@@ -30,15 +30,16 @@
     {"standard", "shadow+lights2", 1, 14914, 59, 80, 0, 0, 0, 0, 0, 0}, \
     {"standard", "shadow+reflect2+lights1", 1, 16622, 64, 93, 0, 0, 0, 0, 0, 0}, \
     {"standard", "shadow+reflect2+lights1+inside", 1, 16846, 64, 94, 0, 0, 0, 0, 0, 0}, \
-    {"standard", "shadow+reflect2+lights1+inside+facets+refract+specular+sum", 1, 26378, 91, 122, 0, 0, 0, 0, 0, 0}, \
-    {"standard", "shadow+reflect2+lights1+inside+facets+texture+spread", 1, 31978, 100, 136, 0, 0, 0, 0, 0, 0}, \
+    {"standard", "shadow+reflect2+lights1+inside+facets+refract+specular+sum", 1, 25471, 91, 122, 0, 0, 0, 0, 0, 0}, \
+    {"standard", "shadow+reflect2+lights1+inside+facets+texture+spread", 1, 28509, 98, 136, 0, 0, 0, 0, 0, 0}, \
     {"standard", "shadow+reflect2+lights2", 1, 16656, 64, 94, 0, 0, 0, 0, 0, 0}, \
     {"standard", "shadow+reflect2+lights2+facets", 1, 21062, 84, 95, 0, 0, 0, 0, 0, 0}, \
     {"standard", "shadow+reflect2+lights2+inside", 1, 16920, 64, 95, 0, 0, 0, 0, 0, 0}, \
     {"standard", "shadow+reflect2+lights2+inside+facets", 1, 21286, 84, 95, 0, 0, 0, 0, 0, 0}, \
     {"standard", "shadow+reflect2+lights2+inside+facets+refract+specular+sum", 1, 26303, 91, 123, 0, 0, 0, 0, 0, 0}, \
     {"standard", "shadow+reflect2+lights2+inside+facets+texture+spread", 1, 31928, 100, 137, 0, 0, 0, 0, 0, 0}, \
-    {"standard", "shadow+reflect2+lights3+inside", 1, 15650, 64, 95, 122.7, 127.5, 133.5, 5, 0, 0}, \
+    {"standard", "shadow+reflect2+lights2+inside+facets+turned+boxes", 1, 28623, 78, 100, 0, 0, 0, 0, 0, 0}, \
+    {"standard", "shadow+reflect2+lights3+inside", 1, 16176, 64, 95, 122.7, 127.5, 133.5, 5, 0, 0}, \
     {"standard", "shadow+reflect2+lights3+inside+bih", 1, 0, 0, 0, 77.2, 77.2, 77.2, 1, 0, 0}, \
     {"standard", "shadow+reflect2+lights3+inside+facets", 1, 0, 0, 0, 105.3, 105.3, 105.3, 1, 0, 0}, \
     {"standard", "shadow+reflect2+lights3+inside+refract", 1, 0, 0, 0, 113.0, 113.0, 113.0, 1, 0, 0}, \
@@ -65,6 +66,7 @@
     {"smooth", 2797, 1, 6, 0}, \
     {"spans", 450, 0, 0, 0}, \
     {"specular", 1531, 2, 11, 0}, \
-    {"spread", 13, 0, 2, 0}, \
+    {"spread", -1722, -1, 2, 0}, \
     {"sum", 1282, 2, 7, 0}, \
-    {"texture", 10654, 16, 40, 1}
+    {"texture", 10654, 16, 40, 1}, \
+    {"turned", -930, 3, 1, 0}
