@@ -8,7 +8,6 @@
 #define SPH_BUILD_H
 
 #include "builder/grid/axes.h"
-#include "builder/grid/eye.h"
 #include "builder/tree/refit.h"
 #include "builder/texture/keep.h"
 #include "builder/tree/tree.h"

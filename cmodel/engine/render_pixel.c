@@ -6,7 +6,7 @@
 #include <stddef.h>
 #include <string.h>
 
-#include "pixel/walk.h"
+#include "pixel/background.h"
 #include "engine/render_light.h"
 #include "shade/colour.h"
 #include "shade/refract.h"

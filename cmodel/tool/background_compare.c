@@ -9,7 +9,7 @@
 #include "builder/background/cones.h"
 #include "builder/background/outline.h"
 #include "builder/background/spans.h"
-#include "pixel/walk.h"
+#include "pixel/background.h"
 #include "render/render.h"
 
 const char *const way_names[WAYS] = {"none",          "rect",          "rect literal",

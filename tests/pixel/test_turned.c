@@ -6,7 +6,7 @@
 #include "builder/grid/grid.h"
 #include "render/render.h"
 #include "machine/camera.h"
-#include "pixel/walk.h"
+#include "pixel/background.h"
 #include "naive/naive.h"
 #include "validate/validate.h"
 

@@ -6,7 +6,6 @@
 
 #include "builder/grid/axes.h"
 #include "builder/grid/bound.h"
-#include "builder/grid/eye.h"
 #include "machine/profile.h"
 #include "scene/scene.h"
 
