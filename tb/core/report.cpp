@@ -55,6 +55,8 @@ std::string refusal(const Options &o, const sph_machine &machine, uint32_t error
         if (errors >> SPH_ERROR_WRONG_PROFILE & 1)
             text += std::string("; the machine was built for profile ") +
                     sph_machine_profile(&machine)->name;
+        if (errors >> SPH_ERROR_LEFT_OUT & 1)
+            text += "; what another camera would show is left out of the machine";
         return text + "\n";
     }
     std::string text = "refused: the machine asks for ";

@@ -40,6 +40,13 @@ void Trials::refused() {
         errors |= profile;
         met(REFUSED_PROFILE);
     }
+    if (o_.built.find("CAMERA=1") != std::string::npos && random_.percent(40)) {
+        r[SPH_REG_EFFECTS] |= 1 << SPH_EFFECT_CAMERA;
+        r[SPH_REG_ONE_CAMERA] = sph_camera_sum(&other.machine);
+        r[random_.percent(30) ? SPH_REG_ONE_CAMERA : SPH_REG_EYE_X + pick(7)] ^= 1 << pick(12);
+        errors |= 1u << SPH_ERROR_LEFT_OUT;
+        met(REFUSED_CAMERA);
+    }
     memory(other.machine);
     player_.refuses(errors, "a machine to be refused");
     memory(*now_->scene->machine);

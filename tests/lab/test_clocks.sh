@@ -10,7 +10,7 @@ check "the plot of times is of these clocks: python3 -m lab study-times FOLDER" 
 from pathlib import Path
 from lab.study import times
 drawn = Path(times.PICTURE).read_text(encoding='utf-8')
-missing = [name for _, dots in times.series() for *_, name in dots if f'>{name}<' not in drawn]
+missing = [name for _, dots in times.series()[0] for *_, name in dots if f'>{name}<' not in drawn]
 assert not missing, missing"
 
 # faults in a copy of the tree
