@@ -158,9 +158,9 @@ int sph_price_make(const struct sph_scene *scene, const struct sph_build_options
     struct job j = {.build = build, .o = options, .price = price};
     memset(price, 0, sizeof *price);
     price->best = -1;
-    if (sph_yardstick_make(scene, build, options->most, SPH_LOD_MENDED, options->threads,
-                           &j.yardstick, err))
-        return -1;
+    const struct sph_yardstick_options how = {
+        .most = options->most, .lod = SPH_LOD_MENDED, .threads = options->threads};
+    if (sph_yardstick_make(scene, build, &how, &j.yardstick, err)) return -1;
     price->width = j.yardstick.width;
     price->height = j.yardstick.height;
     price->sampled = j.yardstick.places != NULL;
