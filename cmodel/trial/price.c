@@ -175,18 +175,17 @@ int sph_price_make(const struct sph_scene *scene, const struct sph_build_options
 static void worst_kind(const struct sph_accuracy *a, char *text, size_t size) {
     const struct {
         uint64_t pixels;
-        const char *help;
-    } kinds[] = {{a->image.silhouette + a->image.wrong_id,
-                  "see another object: more bits of W, or a camera nearer to what is small"},
-                 {a->shadow, "have another shadow: more bits of W and PQ"},
-                 {a->reflected, "see another object in a mirror: more bits of WD and PQ"},
-                 {a->refracted, "see another object through glass: more bits of WD and PQ"}};
+        const char *how;
+    } kinds[] = {{a->image.silhouette + a->image.wrong_id, "see another object"},
+                 {a->shadow, "have another shadow"},
+                 {a->reflected, "see another object in a mirror"},
+                 {a->refracted, "see another object through glass"}};
     size_t most = 0;
     for (size_t i = 1; i < sizeof kinds / sizeof *kinds; i++)
         if (kinds[i].pixels > kinds[most].pixels) most = i;
     if (kinds[most].pixels)
         sph_note(text, size, "; %lu of its pixels %s", (unsigned long)kinds[most].pixels,
-                 kinds[most].help);
+                 kinds[most].how);
 }
 
 void sph_price_says(const struct sph_price *price, const struct sph_error_bound *bound, char *text,
