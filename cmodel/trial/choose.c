@@ -24,6 +24,9 @@ const char *sph_picture_says(const struct sph_known_picture *p, char *text, size
         sph_note(text, size, "expected %.1f dB, a mean", p->expected.psnr);
     else if (m->left)
         sph_note(text, size, "measured less than %.1f dB", m->psnr);
+    else if (isinf(m->psnr))
+        sph_note(text, size, "measured no difference in %llu pixels",
+                 (unsigned long long)m->pixels);
     else
         sph_note(text, size, "measured %.1f dB of %llu pixels", m->psnr,
                  (unsigned long long)m->pixels);

@@ -14,7 +14,7 @@
 #include "machine/kinds.h"
 #include "scene/vector.h"
 
-enum { TEXT = 200 };
+enum { TEXT = 320 };
 
 struct help {
     char text[TEXT];
@@ -100,6 +100,17 @@ static struct sph_vec between(struct sph_vec a, struct sph_vec b, double t) {
     return (struct sph_vec){a.x + t * d.x, a.y + t * d.y, a.z + t * d.z};
 }
 
+/* As it is told, so that what is told was tried. */
+static double told(double x) {
+    char text[32];
+    snprintf(text, sizeof text, "%.6g", x);
+    return strtod(text, NULL);
+}
+
+static struct sph_vec told_point(struct sph_vec p) {
+    return (struct sph_vec){told(p.x), told(p.y), told(p.z)};
+}
+
 /* Middle and reach of what is bounded. */
 static void survey(struct helper *h) {
     const struct sph_scene *s = h->scene;
@@ -139,7 +150,7 @@ static int try_lights(struct helper *h, struct sph_error *err) {
     for (int l = 0; l < s.n_lights; l++) {
         double far = sph_vec_length(sph_vec_sub(s.lights[l].pos, h->middle));
         if (!(far > FAR * h->reach)) continue;
-        s.lights[l].pos = between(h->middle, s.lights[l].pos, FAR * h->reach / far);
+        s.lights[l].pos = told_point(between(h->middle, s.lights[l].pos, FAR * h->reach / far));
         one = l, n++;
     }
     if (!n) return 0;
@@ -147,10 +158,10 @@ static int try_lights(struct helper *h, struct sph_error *err) {
     struct sph_place at = sph_place_of(&s, s.lights[one].line, "number", (uint32_t)one);
     if (n > 1)
         return try_it(h, &s, h->o, sph_build_profile(h->o), err,
-                      "lights no farther than %.3g from (%.4g, %.4g, %.4g)", FAR * h->reach,
+                      "lights no farther than %.6g from (%.6g, %.6g, %.6g)", FAR * h->reach,
                       h->middle.x, h->middle.y, h->middle.z);
     return try_it(h, &s, h->o, sph_build_profile(h->o), err,
-                  "the light %s nearer, at (%.4g, %.4g, %.4g)", at.text, p.x, p.y, p.z);
+                  "the light %s nearer, l %.6g %.6g %.6g", at.text, p.x, p.y, p.z);
 }
 
 /* A sphere far larger than all else, as a smaller one that touches the same point. */
@@ -161,12 +172,12 @@ static int try_sphere(struct helper *h, struct sph_error *err) {
     if (!s.spheres) return sph_fail(err, "%s: no memory", s.path);
     memcpy(s.spheres, h->scene->spheres, s.n_spheres * sizeof *s.spheres);
     struct sph_sphere *b = &s.spheres[h->largest];
-    double rad = FAR * h->reach, far = sph_vec_length(sph_vec_sub(h->middle, b->ctr));
-    b->ctr = between(b->ctr, h->middle, (b->rad - rad) / far);
+    double rad = told(FAR * h->reach), far = sph_vec_length(sph_vec_sub(h->middle, b->ctr));
+    b->ctr = told_point(between(b->ctr, h->middle, (b->rad - rad) / far));
     b->rad = rad;
     struct sph_place at = sph_place_of(&s, b->line, "number", h->largest);
     int rc = far > 0 ? try_it(h, &s, h->o, sph_build_profile(h->o), err,
-                              "the sphere %s smaller, %.6g %.6g %.6g %.6g", at.text, b->ctr.x,
+                              "the sphere %s smaller, s %.6g %.6g %.6g %.6g", at.text, b->ctr.x,
                               b->ctr.y, b->ctr.z, rad)
                      : 0;
     free(s.spheres);
@@ -193,9 +204,10 @@ static int try_plane(struct helper *h, uint32_t plane, struct sph_error *err) {
     struct sph_vec corner[4];
     for (int i = 0; i < 4; i++) {
         double u = i == 1 || i == 2 ? 1 : -1, v = i > 1 ? 1 : -1;
-        corner[i] = (struct sph_vec){foot.x + u * a.x + v * b.x, foot.y + u * a.y + v * b.y,
-                                     foot.z + u * a.z + v * b.z};
+        corner[i] = told_point((struct sph_vec){
+            foot.x + u * a.x + v * b.x, foot.y + u * a.y + v * b.y, foot.z + u * a.z + v * b.z});
     }
+#define CORNER(i) corner[i].x, corner[i].y, corner[i].z
     uint32_t group = s.facets[s.n_facets - 1].group + 1;
     struct sph_facet square = {.kind = SPH_TRIANGLE,
                                .v = {corner[0], corner[1], corner[2]},
@@ -208,8 +220,9 @@ static int try_plane(struct helper *h, uint32_t plane, struct sph_error *err) {
     s.facets[s.n_facets++] = square;
     struct sph_place at = sph_place_of(&s, was->line, "number", plane);
     int rc = try_it(h, &s, h->o, sph_build_profile(h->o), err,
-                    "the plane %s as a square of %.4g x %.4g around (%.4g, %.4g, %.4g)", at.text,
-                    2 * side, 2 * side, foot.x, foot.y, foot.z);
+                    "the plane %s as a square, p 4, %.6g %.6g %.6g, %.6g %.6g %.6g, "
+                    "%.6g %.6g %.6g, %.6g %.6g %.6g",
+                    at.text, CORNER(0), CORNER(1), CORNER(2), CORNER(3));
     free(s.facets);
     return rc;
 }
