@@ -11,6 +11,7 @@
 
 #include "builder/effects/effects.h"
 #include "builder/emit.h"
+#include "common/number.h"
 #include "machine/kinds.h"
 #include "scene/vector.h"
 
@@ -103,8 +104,10 @@ static struct sph_vec between(struct sph_vec a, struct sph_vec b, double t) {
 /* As it is told, so that what is told was tried. */
 static double told(double x) {
     char text[32];
+    double read = x;
     snprintf(text, sizeof text, "%.6g", x);
-    return strtod(text, NULL);
+    sph_parse_number(text, &read);
+    return read;
 }
 
 static struct sph_vec told_point(struct sph_vec p) {

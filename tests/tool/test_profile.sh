@@ -129,7 +129,7 @@ followed() { # the advice, and its figure
     sphere=$(sed -n 's/.* smaller, s \([^:]*\): .*/\1/p' "$TMP/err")
     sed "${line}s/.*/s $sphere/" scenes/huge_tiny.nff >"$TMP/small.nff" &&
         "$s" accuracy "$TMP/small.nff" --profile reference >"$TMP/text" 2>&1 &&
-        is=$(sed -n 's/^psnr *\([0-9]*\.[0-9]\).*/\1/p' "$TMP/text") && echo "$line $sphere $is" &&
+        is=$(awk '$1 == "psnr" { printf "%.1f", $2 }' "$TMP/text") && echo "$line $sphere $is" &&
         has "helps: with the sphere .* measured $is" "$TMP/err"
 }
 check "... the advice can be followed, and gives what it says" followed
