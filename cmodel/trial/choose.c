@@ -3,7 +3,6 @@
  */
 #include "trial/choose.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -11,31 +10,6 @@
 #include "trial/help.h"
 
 /* ---- in words ---- */
-
-int sph_picture_keeps(const struct sph_known_picture *p, const struct sph_error_bound *bound) {
-    double psnr = p->measured.pixels ? p->measured.psnr_least : p->expected.psnr;
-    return p->expected.fits && p->expected.pixels <= bound->pixels && psnr >= bound->psnr;
-}
-
-const char *sph_picture_says(const struct sph_known_picture *p, char *text, size_t size) {
-    const struct sph_measured *m = &p->measured;
-    text[0] = 0;
-    if (!m->pixels)
-        sph_note(text, size, "expected %.1f dB, a mean", p->expected.psnr);
-    else if (m->left)
-        sph_note(text, size, "measured less than %.1f dB", m->psnr);
-    else if (isinf(m->psnr))
-        sph_note(text, size, "measured no difference in %llu pixels",
-                 (unsigned long long)m->pixels);
-    else
-        sph_note(text, size, "measured %.1f dB of %llu pixels", m->psnr,
-                 (unsigned long long)m->pixels);
-    if (m->pixels && !m->left && m->psnr_least != m->psnr)
-        sph_note(text, size, ", at least %.1f dB of all %llu with %.1f %% confidence",
-                 m->psnr_least, (unsigned long long)m->of, 100 * SPH_TRIAL_SURE);
-    sph_note(text, size, ", %.2g pixels off at most", p->expected.pixels);
-    return text;
-}
 
 void sph_choose_why(const struct sph_profile_choice *choice, const struct sph_error_bound *bound,
                     char *text, size_t size) {

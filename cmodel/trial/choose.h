@@ -9,23 +9,7 @@
 #ifndef SPH_TRIAL_CHOOSE_H
 #define SPH_TRIAL_CHOOSE_H
 
-#include "builder/profile/estimate.h"
 #include "trial/judge.h"
-
-/* What a picture must not miss: how far a point that the eye sees is moved at most, in pixels, and
- * dB of its colours. */
-struct sph_error_bound {
-    double pixels, psnr;
-};
-
-#define SPH_ERROR_BOUND_PIXELS 0.125
-#define SPH_ERROR_BOUND_PSNR 45.0
-
-/* What is known of the picture of some widths. */
-struct sph_known_picture {
-    struct sph_estimate expected; /* its dB are a mean, its pixels a bound */
-    struct sph_measured measured;
-};
 
 struct sph_profile_choice {
     int taken;                /* of `of`: a profile, or SPH_PROFILES: widths by hand */
@@ -33,13 +17,6 @@ struct sph_profile_choice {
     const char *not_measured; /* NULL, or why not: of sph_judge_cannot() */
     struct sph_known_picture of[SPH_PROFILES + 1];
 };
-
-/* Whether that is within the bound: measured if it was, else expected. */
-int sph_picture_keeps(const struct sph_known_picture *p, const struct sph_error_bound *bound);
-
-/* "measured 47.0 dB of 57600 pixels, 0.012 pixels off at most", or "expected 45.4 dB, a mean, ...";
- * returns text. */
-const char *sph_picture_says(const struct sph_known_picture *p, char *text, size_t size);
 
 /* options->profile becomes the cheapest that keeps the bound, or the finest; options->widths must
  * be NULL. 0, or -1 with a message as sph_estimate(). */

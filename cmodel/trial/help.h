@@ -4,7 +4,7 @@
 #ifndef SPH_TRIAL_HELP_H
 #define SPH_TRIAL_HELP_H
 
-#include "trial/choose.h"
+#include "trial/judge.h"
 
 enum { SPH_HELPS = 3 }; /* that are told at most */
 

@@ -3,9 +3,10 @@
  */
 #include "trial/judge.h"
 
+#include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
+#include "builder/emit.h"
 #include "builder/tree/choose_tree.h"
 #include "common/parallel.h"
 #include "trial/draw.h"
@@ -117,4 +118,31 @@ struct sph_measured sph_judge_widths(const struct sph_judge *judge,
     found.psnr = sph_squares_psnr(&sum, found.left ? j.n : sum.n);
     found.psnr_least = y->places ? sph_squares_psnr_least(&sum) : found.psnr;
     return found;
+}
+
+/* ---- in words ---- */
+
+int sph_picture_keeps(const struct sph_known_picture *p, const struct sph_error_bound *bound) {
+    double psnr = p->measured.pixels ? p->measured.psnr_least : p->expected.psnr;
+    return p->expected.fits && p->expected.pixels <= bound->pixels && psnr >= bound->psnr;
+}
+
+const char *sph_picture_says(const struct sph_known_picture *p, char *text, size_t size) {
+    const struct sph_measured *m = &p->measured;
+    text[0] = 0;
+    if (!m->pixels)
+        sph_note(text, size, "expected %.1f dB, a mean", p->expected.psnr);
+    else if (m->left)
+        sph_note(text, size, "measured less than %.1f dB", m->psnr);
+    else if (isinf(m->psnr))
+        sph_note(text, size, "measured no difference in %llu pixels",
+                 (unsigned long long)m->pixels);
+    else
+        sph_note(text, size, "measured %.1f dB of %llu pixels", m->psnr,
+                 (unsigned long long)m->pixels);
+    if (m->pixels && !m->left && m->psnr_least != m->psnr)
+        sph_note(text, size, ", at least %.1f dB of all %llu with %.1f %% confidence",
+                 m->psnr_least, (unsigned long long)m->of, 100 * SPH_TRIAL_SURE);
+    sph_note(text, size, ", %.2g pixels off at most", p->expected.pixels);
+    return text;
 }

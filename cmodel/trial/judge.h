@@ -7,6 +7,7 @@
 #ifndef SPH_TRIAL_JUDGE_H
 #define SPH_TRIAL_JUDGE_H
 
+#include "builder/profile/estimate.h"
 #include "trial/measure.h"
 
 /* Pixels of a frame that are drawn at most, which is about a second of work; those of a larger
@@ -43,5 +44,29 @@ void sph_judge_end(struct sph_judge *judge);
  * cannot be built has pixels 0. */
 struct sph_measured sph_judge_widths(const struct sph_judge *judge,
                                      const struct sph_profile *widths, double enough);
+
+/* ---- what is asked for, and what is known ---- */
+
+/* What a picture must not miss: how far a point that the eye sees is moved at most, in pixels, and
+ * dB of its colours. */
+struct sph_error_bound {
+    double pixels, psnr;
+};
+
+#define SPH_ERROR_BOUND_PIXELS 0.125
+#define SPH_ERROR_BOUND_PSNR 45.0
+
+/* What is known of the picture of some widths. */
+struct sph_known_picture {
+    struct sph_estimate expected; /* its dB are a mean, its pixels a bound */
+    struct sph_measured measured;
+};
+
+/* Whether that is within the bound: measured if it was, else expected. */
+int sph_picture_keeps(const struct sph_known_picture *p, const struct sph_error_bound *bound);
+
+/* "measured 47.0 dB of 57600 pixels, 0.012 pixels off at most", or "expected 45.4 dB, a mean, ...";
+ * returns text. */
+const char *sph_picture_says(const struct sph_known_picture *p, char *text, size_t size);
 
 #endif

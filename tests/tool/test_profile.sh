@@ -99,14 +99,7 @@ check "edges seen head-on, which hit pixels four at a time" measured "$TMP/ball.
 check "images" measured scenes/texture/hall.nff 160x90
 check "without what no ray meets" measured tests/scenes/met/light_below.nff 160x90
 check "pixels that cannot be told" measured tests/scenes/coincident/wall.nff 160x90
-check "a sample of a large frame" measured scenes/paper100.nff 1280x720
-same_alone() { # as many processors as there are, and one
-    "$s" build "$@" -o "$TMP/x.sph" >"$TMP/text" 2>&1 &&
-        taskset -c 0 "$s" build "$@" -o "$TMP/z.sph" >"$TMP/alone" 2>&1 &&
-        grep '^profile' "$TMP/text" >"$TMP/a" && grep '^profile' "$TMP/alone" >"$TMP/b" &&
-        cmp "$TMP/a" "$TMP/b" && cmp "$TMP/x.sph" "$TMP/z.sph"
-}
-check "threads do not change it" same_alone "$TMP/flake.nff" --size 320x180
+check "a sample of a large frame" measured scenes/paper100.nff 1024x576
 estimated() { # why, options
     why=$1
     shift
