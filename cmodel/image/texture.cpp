@@ -18,7 +18,7 @@
 #include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/imageio.h>
 
-#include "common/input.h"
+#include "common/file.h"
 #include "image/file.h"
 
 namespace {

@@ -8,7 +8,7 @@
  * columns 79-80 are blank or a charge.
  */
 #include "scene/pdb_import.h"
-#include "common/input.h"
+#include "common/file.h"
 #include "scene/edit.h"
 #include "scene/elements.h"
 #include "scene/nff_lex.h"

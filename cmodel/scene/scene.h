@@ -10,7 +10,7 @@
 #include <stdio.h>
 
 #include "common/error.h"
-#include "common/progress.h"
+#include "common/parallel.h"
 #include "machine/layout.h" /* SPH_MAX_LIGHTS */
 
 #define SPH_MAX_TEXTURES 1024

@@ -3,7 +3,7 @@
  */
 #include <string.h>
 
-#include "common/output.h"
+#include "common/file.h"
 #include "machine/export.h"
 #include "scene/pov_write.h"
 #include "tool/tool.h"

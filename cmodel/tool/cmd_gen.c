@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "common/number.h"
-#include "common/output.h"
+#include "common/file.h"
 #include "scene/generate.h"
 #include "scene/aff.h"
 #include "scene/frustum.h"

@@ -5,13 +5,12 @@
 #include <string.h>
 #include <strings.h>
 
-#include "trial/choose.h"
-#include "common/input.h"
-#include "common/output.h"
+#include "common/file.h"
 #include "image/mips.h"
 #include "scene/aff.h"
 #include "scene/generate.h"
 #include "tool/tool.h"
+#include "trial/choose.h"
 #include "trial/met.h"
 #include "validate/validate.h"
 

@@ -12,7 +12,7 @@
 #include "builder/effects/effects.h"
 #include "builder/emit.h"
 #include "common/number.h"
-#include "machine/kinds.h"
+#include "machine/records.h"
 #include "scene/vector.h"
 
 enum { TEXT = 320 };
