@@ -99,7 +99,7 @@ check "edges seen head-on, which hit pixels four at a time" measured "$TMP/ball.
 check "images" measured scenes/texture/hall.nff 160x90
 check "without what no ray meets" measured tests/scenes/met/light_below.nff 160x90
 check "pixels that cannot be told" measured tests/scenes/coincident/wall.nff 160x90
-check "a sample of a large frame" measured scenes/paper100.nff 1024x576
+check "a sample of a large frame" measured scenes/paper5.nff 1024x576
 estimated() { # why, options
     why=$1
     shift
@@ -126,6 +126,33 @@ followed() { # the advice, and its figure
         has "helps: with the sphere .* measured $is" "$TMP/err"
 }
 check "... the advice can be followed, and gives what it says" followed
+
+cat >"$TMP/own.nff" <<'END'
+v
+from 0 1.2 6
+at 0 0.8 0
+up 0 1 0
+angle 45
+hither 0.1
+resolution 320 180
+b 0.5 0.7 1
+l 500 800 400
+f 0.6 0.6 0.55 0.9 0.1 0 0 1
+plane 0 0 0 0 1 0
+f 1 1 1 0.05 0.1 0 0.9 1.5
+s -1 0.8 1 0.8
+f 0.9 0.9 0.9 0.1 0.9 0 0 1
+s 1.2 1 -1 1
+f 0.8 0.2 0.2 1 0 0 0 1
+p 3
+-3 0 -3
+-1 0 -4
+-2 2 -3
+END
+"$s" build "$TMP/own.nff" -o "$TMP/x.sph" >"$TMP/text" 2>"$TMP/err"
+light=$(sed -n 's/.*would do: with the light .* nearer, \(l [^:]*\): .*/\1/p' "$TMP/err")
+sed "s/^l .*/$light/" "$TMP/own.nff" >"$TMP/near.nff"
+check "a floor under a far light: the light nearer, and it is kept" takes fine "$TMP/near.nff"
 
 # ---- given by hand ----
 "$s" build scenes/huge_tiny.nff --profile standard -o "$TMP/x.sph" >"$TMP/text" 2>"$TMP/err"
