@@ -15,7 +15,7 @@
 #include "machine/records.h"
 #include "scene/vector.h"
 
-enum { TEXT = 320 };
+enum { TEXT = 1024 };
 
 struct help {
     char text[TEXT];
