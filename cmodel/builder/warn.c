@@ -88,9 +88,6 @@ int sph_warn_cut(const struct sph_scene *scene, const struct sph_machine *machin
                  "about %s%s see it so in mirrors or glass; ",
                  percent(cut->later, cut->sample, part), cut->beyond ? " more" : " of the pixels");
     sph_note(report->warning, sizeof report->warning,
-             "its light may be off there by more than 8 of 255, and so is an image on it%s\n",
-             machine->profile.w < sph_profiles[SPH_PROFILES - 1].w
-                 ? ". A wider profile has a larger grid"
-                 : "");
+             "its light may be off there by more than 8 of 255, and so is an image on it\n");
     return 0;
 }

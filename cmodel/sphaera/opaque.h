@@ -20,6 +20,7 @@ struct sphaera_scene {
 struct sphaera_machine {
     struct sph_machine machine;
     char warning[8192]; /* as of sph_build_report */
+    char why[512];      /* as of sph_choose_why(), or empty */
 };
 
 struct sphaera_frame {

@@ -94,6 +94,10 @@ SPHAERA_API const char *sphaera_machine_profile(const sphaera_machine *machine);
 /* What build warned of, lines of text; empty if nothing, or if it was read from a file. */
 SPHAERA_API const char *sphaera_machine_warning(const sphaera_machine *machine);
 
+/* Why "auto" took its profile, and what is known of the picture: "standard: measured 47.0 dB of
+ * 57600 pixels, ..."; empty if a profile was asked for, or if it was read from a file. */
+SPHAERA_API const char *sphaera_machine_why(const sphaera_machine *machine);
+
 /* ---- frames ---- */
 
 /* Draws the machine. threads: 0: one for every processor. */

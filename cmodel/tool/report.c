@@ -108,6 +108,17 @@ static json_t *expected(const struct sph_estimate *e) {
     return json;
 }
 
+/* What it was drawn to be like. */
+static json_t *measured(const struct sph_measured *m) {
+    json_t *json = json_object();
+    report_count(json, "pixels", m->pixels);
+    report_count(json, "of", m->of);
+    report_add(json, "psnr", isfinite(m->psnr) ? json_real(m->psnr) : json_null());
+    report_add(json, "psnr_least",
+               isfinite(m->psnr_least) ? json_real(m->psnr_least) : json_null());
+    return json;
+}
+
 void report_build(json_t *report, const struct tool_built *built) {
     const struct sph_build_report *b = &built->report;
     if (!report || !built->from_scene) return;
@@ -119,7 +130,9 @@ void report_build(json_t *report, const struct tool_built *built) {
     report_count(build, "depth", b->depth);
     if (b->tree_why[0]) report_text(build, "tree_why", b->tree_why);
     if (built->profile_why[0]) report_text(build, "profile_why", built->profile_why);
-    if (built->expected.fits) report_add(build, "expected", expected(&built->expected));
+    const struct sph_known_picture *picture = &built->picture;
+    if (picture->expected.fits) report_add(build, "expected", expected(&picture->expected));
+    if (picture->measured.pixels) report_add(build, "measured", measured(&picture->measured));
     report_count(build, "skipped", built->skipped);
     report_number(build, "seconds", b->build_seconds);
     report_number(build, "tree_seconds", b->tree_seconds);

@@ -52,6 +52,12 @@ class Machine:
         """What build warned of, lines of text; empty if nothing, or if it was read from a file."""
         return text(lib.sphaera_machine_warning(self._pointer))
 
+    @property
+    def why(self) -> str:
+        """Why "auto" took its profile, and what was measured of the picture; empty if a profile was
+        asked for, or if it was read from a file."""
+        return text(lib.sphaera_machine_why(self._pointer))
+
     def render(self, threads: int = 0) -> Frame:
         """Draws it, with so many threads, up to 1024; 0: one for every processor. Error: another
         number of threads, no memory."""

@@ -22,7 +22,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "builder/profile/choose_profile.h"
+#include "trial/choose.h"
 #include "common/number.h"
 #include "render/render.h"
 #include "number.h"

@@ -365,7 +365,7 @@ fails 1 "damaged frame" "$s" compare a.frame flip.frame
 fails 1 "output in no folder" "$s" build a.nff -o none/x.sph
 fails 1 "picture in no folder" "$s" render a.sph -o none/x.png
 fails 1 "report in no folder" "$s" render a.sph --json none/x.json
-# ---- a kind of scene in the place of a file; advice that can be followed ----
+# ---- a kind of scene in the place of a file ----
 "$s" gen random:20 --resolution 32x18 -o random.nff >log
 "$s" render random.nff --size 32x18 -o file.png | grep -e '^frame' >file.txt
 "$s" render random:20 --size 32x18 -o kind.png | grep -e '^frame' >kind.txt
@@ -374,14 +374,7 @@ fails 1 "a kind with a number out of range" "$s" render random:0 -o x.png
 check "... is told so" has "random:0: '0' is no number from 1 to 16000000" "$TMP/err"
 fails 1 "neither a file nor a kind" "$s" render nosuch:3 -o x.png
 check "... is told as a file" has "nosuch:3: cannot open" "$TMP/err"
-sed 's/^angle.*/angle 100/; s/^l .*/l 0 30 0/' "$root/scenes/facets/plane.nff" >wide.nff
-advice() { # profile, lines that advise a wider one
-    "$s" build wide.nff --profile "$1" -o wide.sph >log 2>&1 && grep 'so is an image on it' log &&
-        [ "$(grep -c 'A wider profile' log)" = "$2" ]
-}
-check "a wider profile is advised" advice standard 1
-check "... but not beside the widest" advice reference 0
-rm -f file.png kind.png wide.sph
+rm -f file.png kind.png
 
 fails 1 "a folder as output" "$s" render a.sph -o .
 if [ -c /dev/full ]; then

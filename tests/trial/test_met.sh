@@ -45,17 +45,13 @@ mirrors_behind|--depth 4|^effect *camera *off|reflect4+lights1
 mirrors_behind|--depth 10 --reflect on|^effect *reflect *10 *as asked|reflect10+lights1
 END
 
-# What makes the grid coarse no longer does, and no longer chooses the profile.
-profile() {
-    "$s" build $here/light_below.nff --effects $1 -o "$TMP/m.sph" 2>/dev/null |
-        sed -n 's/^scene.*profile //p'
-}
-check "a light under the floor: reference with it" test "$(profile all)" = reference
-check "... fine without it" test "$(profile met)" = fine
+# What makes the grid coarse no longer does.
 grid() {
     "$s" build $here/$1.nff --profile standard --effects $2 -o "$TMP/m.sph" 2>/dev/null |
         sed -n 's/^grid *step \([^,]*\),.*/\1/p'
 }
+check "a light under the floor: a coarse grid with it" test "$(grid light_below all)" = 0.0078125
+check "... fine without it" test "$(grid light_below met)" = 0.00390625
 check "a ball far behind: a coarse grid with it" test "$(grid behind all)" = 0.000976562
 check "... fine without it" test "$(grid behind met)" = 0.000488281
 check "a floor keeps such a ball, which makes the grid wide" \
