@@ -3,7 +3,7 @@
 // A plane v grid units away across axis i is reached at key v * a / |dir_i|. An axis a clock: both
 // are shifted up until their top bit is set; a table has the reciprocal of the size, which times a
 // is g = a / |dir_i| times 2^shift, or up to 2 less.
-//   read 1 | 1 size | 2..4 up | 5 line of the table | 6 slope | 7 reciprocal | 8, 9 product | 10 pace
+//   read | 1 size | 2..4 up | 5 line of the table | 6 slope | 7 reciprocal | 8, 9 product | 10 pace
 // A ray every 3 clocks; it starts 13 clocks after it was read. Shadow rays go before others.
 // Model: sph_bih_setup() in cmodel/trace/bih.c, sph_ratio() in cmodel/math/arith.c
 `timescale 1ns / 1ps
