@@ -21,7 +21,7 @@ struct lanes {
 
 static inline struct lanes lanes_of(const struct sph_profile *p, const struct sph_ray *ray) {
     struct lanes l = {.p = p, .ray = ray, .ordered = _mm_set1_epi32(sph_ray_any(ray) ? 0 : -1)};
-    sph_fast_planes(p, ray, &l.bih);
+    sph_bih_setup(p, ray, &l.bih);
     return l;
 }
 

@@ -13,18 +13,13 @@ static int at_least_0(int n) {
 }
 
 void sph_bih_setup(const struct sph_profile *p, const struct sph_ray *ray, struct sph_bih_ray *b) {
-    int bits = p->wd > SPH_BIH_DIVIDE ? p->wd : SPH_BIH_DIVIDE;
     uint64_t a = ray->a ? ray->a : 1;
     b->v_shift = at_least_0(p->w + 2 - SPH_BIH_V);
-    int cut = at_least_0(sph_bit_length(a) - bits); /* of a; dir is exact */
     b->t_shift = at_least_0(p->w + p->wd + 2 - SPH_BIH_T);
     for (int i = 0; i < 3; i++) {
         int64_t d = ray->dir[i];
-        b->axis[i] = (struct sph_bih_axis){d == 0, d < 0, 0, 0};
-        uint64_t size = (uint64_t)(d < 0 ? -d : d);
-        struct sph_quotient q = sph_quotient(a >> cut, bits, size ? size : 1, p->wd, SPH_BIH_G);
-        b->axis[i].mant = q.mant;
-        b->axis[i].shift = q.exp - cut + b->t_shift - b->v_shift;
+        struct sph_quotient q = sph_ratio(a, d ? (uint64_t)(d < 0 ? -d : d) : 1);
+        b->axis[i] = (struct sph_bih_axis){d == 0, d < 0, q.mant, q.exp + b->t_shift - b->v_shift};
     }
     b->limit = sph_ray_ends(ray) ? sph_bih_time(b, ray->a) : SPH_BIH_NO_BOUND;
 }

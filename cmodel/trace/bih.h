@@ -42,10 +42,8 @@ uint32_t sph_bih_time(const struct sph_bih_ray *b, uint64_t key);
 /* Cuts *span to what lies on one side of the plane: coordinate `axis` >= clip, or with `below` <=
  * clip. 0 if nothing is left on this side; whether lo <= hi is for the caller to see.
  *
- * Why no bound is too narrow, with the words of docs/design/bih.md: q = a / |d| * 2^(exp - cut)
- * lies in [mant, mant + 2), for sph_quotient forms floor(An / Dn 2^17) of a >> cut and the size of
- * d, both with their top bits set in DW bits; what `cut` took of a adds less than 2^17 / Dn <= 1/4,
- * so with the floor q < mant + 1 + 1/4. An entering plane, v > 0, is met at
+ * Why no bound is too narrow, with the words of docs/design/bih.md: q = a / |d| * 2^exp lies in
+ * [mant, mant + 2), as sph_ratio() has it. An entering plane, v > 0, is met at
  * T = v a / |d| / 2^SH >= (v >> VS) mant / 2^shift, and a negative shift taken for 0 makes it
  * smaller still: L <= floor(T) of every point behind it. Of every point before a leaving plane,
  * v >= 0, T is at most v a / |d| / 2^SH < up (mant + 2) / 2^shift < U, or U is no bound. */

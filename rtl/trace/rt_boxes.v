@@ -14,9 +14,7 @@ module rt_boxes #(
     parameter W     = 16,   // coordinate, bits
     parameter WD    = 17,   // direction component, bits
     parameter SLOTS = 32,   // power of two
-    parameter SHADOW = 1,   // 1: shadow rays
-    parameter BANKS = 4,    // rays that are divided at once
-    parameter STEP  = 2     // bits of a reciprocal a clock
+    parameter SHADOW = 1    // 1: shadow rays
 ) (
     input  wire                     clk,
     input  wire                     rst,
@@ -56,8 +54,7 @@ module rt_boxes #(
     wire [1:0]       place_axis, pace_axis;
     wire [CW-1:0]    place;
     wire [PW-1:0]    pace;
-    rt_bih_ray #(.W(W), .WD(WD), .SLOTS(SLOTS), .SHADOW(SHADOW), .BANKS(BANKS),
-                 .STEP(STEP)) u_rays (
+    rt_bih_ray #(.W(W), .WD(WD), .SLOTS(SLOTS), .SHADOW(SHADOW)) u_rays (
         .clk(clk), .rst(rst),
         .new_valid_i(ray_i[`RT_RAY_VALID]), .new_slot_i(ray_i[`RT_RAY_SLOT]),
         .new_org_i(ray_i[`RT_RAY_ORG]), .new_dir_i(ray_i[`RT_RAY_DIR]),

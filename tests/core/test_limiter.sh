@@ -15,7 +15,7 @@ rt_facet_key    rt_facet
 rt_isqrt        rt_root_pool, rt_refract
 rt_longitude    rt_sphere_uv
 rt_pool         whose units it hands out: rt_root_pool, rt_quotient_pool, rt_sphere_uv
-rt_quotient     rt_quotient_pool, rt_bih_ray
+rt_quotient     rt_quotient_pool
 rt_setup        rt_unit, rt_unit_four, rt_across
 rt_shares       rt_share
 rt_sphere       rt_leaf, rt_root_pool
