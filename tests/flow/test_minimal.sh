@@ -40,8 +40,8 @@ compiled() { # wrapper
 }
 check "with the wrapper of compiled SRAM it draws it, too" compiled examples/asic/rt_slot_ram.v
 sed 's/^module rt_slot_ram/&_rtl/' rtl/memory/rt_slot_ram.v >"$TMP/rtl.v"
-sed 's/wire  *meets = .*;/wire meets = 1'"'b0"';/; s/&& !meets/\&\& 1/' examples/asic/rt_slot_ram.v \
-    >"$TMP/hasty.v"
+sed 's/wire  *meets = .*;/wire meets = 1'"'b0"';/; s/&& !meets/\&\& 1/' \
+    examples/asic/rt_slot_ram.v >"$TMP/hasty.v"
 beside() { # wrapper
     iverilog -g2005 -Irtl/memory -s beside -o "$TMP/beside" examples/asic/beside.v "$1" \
         examples/asic/rt_sram.v "$TMP/rtl.v" rtl/memory/rt_slot_file.v &&
