@@ -97,7 +97,7 @@ module f_control #(
     reg        b_wait_q, r_wait_q;
     reg [1:0]  bresp_q;
     reg [33:0] r_q;
-    reg        at_place_q, at_nowhere_q, read_place_q, read_nowhere_q, read_built_q;
+    reg        at_place_q, at_nowhere_q, at_control_q, read_place_q, read_nowhere_q, read_built_q;
     reg [31:0] built_q;
     wire [2:0] word = from[4:2] - 3'd2;          // of what the block was built with
     always @(posedge clk) begin
@@ -116,6 +116,7 @@ module f_control #(
         r_wait_q <= rvalid && !rready && !rst;
         bresp_q  <= bresp;
         r_q      <= {rresp, rdata};
+        at_control_q   <= {aw_addr_q, 2'd0} == `RT_TOP_CONTROL;
         at_nowhere_q   <= {aw_addr_q, 2'd0} == nowhere;
         read_place_q   <= from == place;
         read_nowhere_q <= from == nowhere;
@@ -141,7 +142,7 @@ module f_control #(
         if (read_q) assert (rvalid);                                      // never stuck
         assert (busy == (aw_q || w_q || ar_q || bvalid || rvalid));
         assert (settings[32*number +: 32] == value_q);                    // as it was written
-        if (order != 0) assert (does && {aw_addr_q, 2'd0} == `RT_TOP_CONTROL);
+        if (order != 0) assert (did_q && at_control_q);                   // with the answer
         if (machine_write != 0) assert (does && to_machine);
         if (irq) assert (settings[`RT_TOP_SET_INTERRUPT_ENABLE_SOURCES] != 0);
         // invariant

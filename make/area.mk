@@ -70,4 +70,5 @@ report: results
 page: $(PAGE:%=$S/%/stat.json)
 	$(Q)python3 -m lab area-page docs/results/speed_and_area.md $S $(PAGE)
 
--include $(patsubst %,$S/%/sources.d,$(sort $(KEYS) $(PAGE)))
+-include $(patsubst %,$S/%/sources.d,$(sort $(KEYS) $(PAGE))) \
+    $(patsubst %/stat.json,%/sources.d,$(filter %/stat.json,$(MAKECMDGOALS)))

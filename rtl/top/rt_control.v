@@ -42,7 +42,7 @@ module rt_control #(
     input  wire [2:0]  happened_i,      // bits of INTERRUPTS but ERROR
     input  wire        good_i,          // a frame is complete
     // orders, settings
-    output wire [6:0]  order_o,         // bits of CONTROL, for one cycle
+    output reg  [6:0]  order_o,         // bits of CONTROL, for one cycle
     output wire [32*`RT_TOP_SETTINGS-1:0] settings_o, // read-write registers, from WATCHDOG on
     // to rt_machine and rt_totals
     output wire [3:0]  machine_write_o,
@@ -94,7 +94,8 @@ module rt_control #(
     assign machine_write_o = write && aw_machine && aw_q[8:2] < REGS ? strobe_q : 4'd0;
     assign write_addr_o    = aw_q[8:2];
     assign write_data_o    = w_q;
-    assign order_o         = write && w_addr == `RT_TOP_CONTROL ? ones[6:0] : 7'd0;
+    always @(posedge clk)              // from a register, as the answer: it reaches far
+        order_o <= write && w_addr == `RT_TOP_CONTROL && !rst ? ones[6:0] : 7'd0;
 
     // ---- a read ----
     reg         ar_full_q;

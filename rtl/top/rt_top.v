@@ -220,7 +220,7 @@ module rt_top #(
         .room_i(room), .clear_o(clear), .begin_o(frame_begin), .end_o(frame_end), .good_o(good),
         .cut_o(cut), .forget_o(forget), .read_idle_i(read_idle),
         .read_stall_i(read_stall), .read_errors_i({read_decerr, read_slverr}),
-        .write_dead_o(write_dead), .flush_o(flush), .write_empty_i(write_empty),
+        .write_dead_o(write_dead), .flush_o(flush), .write_empty_i(write_empty && !write_valid),
         .write_idle_i(write_idle), .write_stall_i(write_stall),
         .write_errors_i({write_decerr, write_slverr}), .scan_error_i(scan_error),
         .scan_stall_i(scan_stall)
@@ -250,10 +250,10 @@ module rt_top #(
     wire [`RT_LINE_BITS-1:0] req_line;
     wire [`RT_TAG_BITS-1:0] req_tag, rsp_tag;
     wire [MEM_DATA-1:0] rsp_data;
-    wire        pix_valid, pix_ready;
-    wire [13:0] pix_x, pix_y;
-    wire [71:0] pix_colour;
-    wire [23:0] pix_frame;
+    wire        pix_valid, pix_ready, write_valid, write_ready;
+    wire [13:0] pix_x, pix_y, write_x, write_y;
+    wire [71:0] pix_colour, write_colour;
+    wire [23:0] pix_frame, write_frame;
     wire [4:0]  count_addr;
     wire [47:0] count;
     wire [`RT_ID_BITS-1:0] pix_id;
@@ -289,6 +289,13 @@ module rt_top #(
         .m_rready(m_scene_rready), .m_rid(m_scene_rid), .m_rdata(m_scene_rdata),
         .m_rresp(m_scene_rresp), .m_rlast(m_scene_rlast)
     );
+    // a frame's buffers and the engines do not wait for one another within a clock
+    rt_fifo #(.WIDTH(14 + 14 + 72 + 24), .DEPTH(2)) u_pixels (
+        .clk(clk), .rst(core_rst), .in_valid_i(pix_valid && pix_ready), .in_ready_o(pix_ready),
+        .in_data_i({pix_frame, pix_colour, pix_y, pix_x}),
+        .out_valid_o(write_valid), .out_ready_i(write_ready),
+        .out_data_o({write_frame, write_colour, write_y, write_x})
+    );
     wire [3:0] write_pixels;
     rt_frame_write #(.DATA(DATA), .BUFFERS(BUFFERS), .LAYERS(LAYERS), .ADDR(ADDR)) u_frame_write (
         .clk(clk), .rst(rst), .base_i(draw_base), .begin_i(load),
@@ -299,9 +306,10 @@ module rt_top #(
         .cut_i(cut), .dead_i(write_dead), .forget_i(forget), .flush_i(flush),
         .empty_o(write_empty), .idle_o(write_idle), .stall_o(write_stall),
         .slverr_o(write_slverr), .decerr_o(write_decerr), .burst_o(write_burst),
-        .beat_o(write_beat), .pixels_o(write_pixels), .pix_valid_i(pix_valid),
-        .pix_ready_o(pix_ready), .pix_x_i(pix_x), .pix_y_i(pix_y), .pix_colour_i(pix_colour),
-        .pix_frame_i(pix_frame), .m_awvalid(m_frame_awvalid), .m_awready(m_frame_awready),
+        .beat_o(write_beat), .pixels_o(write_pixels), .pix_valid_i(write_valid),
+        .pix_ready_o(write_ready), .pix_x_i(write_x), .pix_y_i(write_y),
+        .pix_colour_i(write_colour), .pix_frame_i(write_frame),
+        .m_awvalid(m_frame_awvalid), .m_awready(m_frame_awready),
         .m_awaddr(m_frame_awaddr), .m_awlen(m_frame_awlen), .m_wvalid(m_frame_wvalid),
         .m_wready(m_frame_wready), .m_wdata(m_frame_wdata), .m_wstrb(m_frame_wstrb),
         .m_wlast(m_frame_wlast), .m_bvalid(m_frame_bvalid), .m_bready(m_frame_bready),
