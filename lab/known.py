@@ -16,14 +16,13 @@ HEAD = """/* known_table.h - generated from docs/results/data by `python3 -m lab
  * SPDX-License-Identifier: Apache-2.0
  */
 """
-CORES = """/* profile, effects, pipes, LUT4eq, MULT18X18D, DP16KD, worst, median, best MHz, seeds; nothing is
- * estimated */
+TABLE = """/* profile, effects, pipes, LUT4eq, MULT18X18D, DP16KD, worst, median, best MHz, seeds */
 #define SPH_KNOWN_CORES \\
 """
-WORDS = """/* word, what it adds to a core of profile standard: LUT4eq, MULT, DP16KD; brings points */
+WORDS = """/* word, what it adds to a core of profile standard: LUT4eq, MULT, DP16KD; points */
 #define SPH_KNOWN_WORDS \\
 """
-POINTS = {"reflect", "lights", "interpenetrate", "texture", "refract"}  # need hit points, normals
+POINTS = {"reflect", "lights", "interpenetrate", "texture", "refract"}  # need hit points
 KEY = re.compile(r"(?P<profile>[a-z]+)-ecp5-(?P<effects>[a-z0-9+]+)-engines1"
                  r"(-pipes(?P<pipes>\d))?$")
 
@@ -106,5 +105,5 @@ def main(file):
              for profile, effects, pipes in sorted(area.keys() | clock.keys())]
     costs = [f'    {{"{word}", {", ".join(map(str, counts))}, {int(word in POINTS)}}}'
              for word, counts in sorted(words(area).items())]
-    intact.write(file, HEAD + CORES + ", \\\n".join(lines) + "\n" + WORDS
+    intact.write(file, HEAD + TABLE + ", \\\n".join(lines) + "\n" + WORDS
                  + ", \\\n".join(costs) + "\n")

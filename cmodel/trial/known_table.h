@@ -1,8 +1,7 @@
 /* known_table.h - generated from docs/results/data by `python3 -m lab known`; do not edit
  * SPDX-License-Identifier: Apache-2.0
  */
-/* profile, effects, pipes, LUT4eq, MULT18X18D, DP16KD, worst, median, best MHz, seeds; nothing is
- * estimated */
+/* profile, effects, pipes, LUT4eq, MULT18X18D, DP16KD, worst, median, best MHz, seeds */
 #define SPH_KNOWN_CORES \
     {"draft", "shadow+reflect2+lights3+inside", 1, 14179, 64, 91, 133.2, 133.2, 133.2, 1, 0, 0}, \
     {"fine", "shadow+reflect2+lights3+inside", 1, 19016, 64, 99, 124.2, 124.2, 124.2, 1, 0, 0}, \
@@ -46,7 +45,7 @@
     {"standard", "shadow+reflect2+lights8+inside", 1, 16940, 64, 95, 0, 0, 0, 0, 0, 0}, \
     {"standard", "sum", 1, 13387, 57, 64, 0, 0, 0, 0, 0, 0}, \
     {"standard", "texture", 1, 24566, 72, 106, 0, 0, 0, 0, 0, 0}
-/* word, what it adds to a core of profile standard: LUT4eq, MULT, DP16KD; brings points */
+/* word, what it adds to a core of profile standard: LUT4eq, MULT, DP16KD; points */
 #define SPH_KNOWN_WORDS \
     {"bih", -912, -35, 10, 0}, \
     {"boxes", 8267, -9, 4, 0}, \
