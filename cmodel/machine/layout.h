@@ -430,7 +430,7 @@
     X(CLEAR, clear, "CLEAR", 11, 1, 0, SPH_OPTION_WHEN, 1, 0, -1, 0, 0, -1, "shadow rays pass what is marked as clear") \
     X(TURNED, turned, "TURNED", 12, 1, 0, SPH_OPTION_NONE, 0, 32, -1, 0, 0, -1, "a grid in other axes than the camera's") \
     X(SPREAD, spread, "SPREAD", 13, 1, 0, SPH_OPTION_WHEN, 128, 0, -1, 0, 0, -1, "levels in mirrors and glass by how spheres spread rays") \
-    X(CAMERA, camera, "CAMERA", 14, 1, 1, SPH_OPTION_NONE, 0, 0, -1, 0, 0, -1, "refuses every camera but the machine's own, since something is left out")
+    X(CAMERA, camera, "CAMERA", 14, 1, 1, SPH_OPTION_NONE, 0, 0, -1, 0, 0, -1, "any other camera is refused, since something is left out")
 #define SPH_EACH_PART(X) SPH_EACH_EFFECT(X) \
     X(COARSE, coarse, "COARSE", -1, 8, 0, SPH_OPTION_NONE, 128, 0, -1, 0, 0, SPH_REG_COARSE, "bits of the fraction of levels rounded away") \
     X(RECT, rect, "RECT", -1, 1, 1, SPH_OPTION_NONE, 0, 0, SPH_REG_BG_MODE, 1, 1, -1, "background separation by rectangle") \

@@ -23,7 +23,7 @@ done <<'END'
 behind||^left out the sphere @:17: no ray of this frame meets it|lights1+camera
 behind|--effects all|^effect *reflect *2 *@:16 mirrors 26/256, depth 2$|.*+refract+.*
 hidden_mirror||^left out the sphere @:16: no ray of this frame meets it|lights1+camera
-light_below||^effect *lights *1 *1 of .* 2; left out: @:12 lights nothing|shadow+lights1+facets+camera
+light_below||^effect *lights *1 *1 of .* 2; left out: @:12 lights|shadow+lights1+facets+camera
 light_below|--effects all|^effect *lights *2 *2 of the scene's 2$|shadow+lights2+facets
 light_below|--lights 2|^effect *lights *2 *as asked; 2 of the|shadow+lights2+facets
 mirror_behind||^effect *reflect *off left out: @:15 mirrors 128/256, .*; no ray|lights1+camera
@@ -38,9 +38,9 @@ all_behind||^effect *specular *off left out: @:29 has highlights|shadow+lights1+
 all_behind||^effect *sum *off left out: @:29 is shaded by|shadow+lights1+facets+camera
 all_behind||^effect *smooth *off left out: .* @:22; no ray|shadow+lights1+facets+camera
 triangle_behind||^left out the triangle @:15: no ray|lights1+camera
-clear_behind||^effect *clear *off left out: @:22 lets shadow rays pass; no ray|shadow+lights1+facets+camera+boxes
-shadow_behind||^effect *shadow *off left out: .*; nothing that this frame|lights1+facets+camera+boxes
-mirrors_behind|--depth 10|^left out depths beyond 3: no ray of this frame goes there|reflect3+lights1+camera
+clear_behind||^effect *clear *off left out: @:22 lets .*; no ray|shadow+lights1+facets+camera+boxes
+shadow_behind||^effect *shadow *off left out: .*; nothing|lights1+facets+camera+boxes
+mirrors_behind|--depth 10|^left out depths beyond 3: no ray|reflect3+lights1+camera
 mirrors_behind|--depth 4|^effect *camera *off|reflect4+lights1
 mirrors_behind|--depth 10 --reflect on|^effect *reflect *10 *as asked|reflect10+lights1
 END
