@@ -58,7 +58,7 @@ module f_control #(
     );
     (* hierconn *) wire        \u_dut.aw_full_q ;
     (* hierconn *) wire        \u_dut.w_full_q ;
-    (* hierconn *) wire        \u_dut.ar_full_q ;
+    (* hierconn *) wire        \u_dut.ar_full_q , \u_dut.ar_seen_q ;
     (* hierconn *) wire [9:0]  \u_dut.aw_q ;
     (* hierconn *) wire [9:0]  \u_dut.ar_q ;
     (* hierconn *) wire [31:0] \u_dut.w_q ;
@@ -73,10 +73,11 @@ module f_control #(
                              {aw_addr_q, 2'd0} < `RT_TOP_COUNTERS;
     wire        does  = aw_q && w_q && !bvalid && !(to_machine && machine_busy);
     wire [11:0] from  = {ar_addr_q, 2'd0};
-    wire        reads = ar_q && !rvalid &&
-                        !(from >= `RT_TOP_MACHINE && from < `RT_TOP_COUNTERS && machine_busy) &&
+    wire        free  = !(from >= `RT_TOP_MACHINE && from < `RT_TOP_COUNTERS && machine_busy) &&
                         !(from >= `RT_TOP_COUNTERS &&
                           from < `RT_TOP_COUNTERS + 8*`RT_TOP_COUNTS && count_busy);
+    reg         seen_q;                          // free in the clock before, too
+    wire        reads = ar_q && seen_q && !rvalid && free;
     reg         did_q, read_q;
 
     // ---- one setting, and an offset of nothing ----
@@ -107,6 +108,7 @@ module f_control #(
         if (arvalid && arready) {ar_q, ar_addr_q} <= {1'b1, araddr[11:2]};
         if (does) {aw_q, w_q} <= 2'd0;
         if (reads) ar_q <= 1'b0;
+        seen_q <= ar_q && free && !reads && !rst;
         if (does && {aw_addr_q, 2'd0} == place)
             value_q <= ((value_q & ~keep) | (data_q & keep)) & KEPT[32*number +: 32];
         was_q    <= value_q;
@@ -149,7 +151,7 @@ module f_control #(
         assert (\u_dut.aw_full_q == aw_q && \u_dut.w_full_q == w_q);
         if (aw_q) assert (\u_dut.aw_q == aw_addr_q);
         if (w_q) assert (\u_dut.w_q == data_q && \u_dut.strobe_q == strobe_q);
-        assert (\u_dut.ar_full_q == ar_q);
+        assert (\u_dut.ar_full_q == ar_q && \u_dut.ar_seen_q == seen_q);
         if (ar_q) assert (\u_dut.ar_q == ar_addr_q);
     end
 endmodule

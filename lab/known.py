@@ -8,6 +8,7 @@ alone; of words that no pair tells, what the whole core loses without (effects.p
 import itertools
 import re
 import statistics
+from functools import lru_cache
 
 from . import clocks, intact
 from .pages import data
@@ -28,6 +29,7 @@ KEY = re.compile(r"(?P<profile>[a-z]+)-ecp5-(?P<effects>[a-z0-9+]+)-engines1"
                  r"(-pipes(?P<pipes>\d))?$")
 
 
+@lru_cache(maxsize=None)
 def cells(tables=("effects.left_out", "effects.costs", "accuracy.costs", "accuracy.kinds")):
     """{(profile, effects, pipes): LUT4eq, MULT, DP16KD}"""
     found = {}

@@ -10,7 +10,7 @@ module rt_divide #(
     parameter DW   = 50,                     // divisor, bits
     parameter QW   = 34,                     // quotient, bits: x < d * 2^QW
     parameter STEP = 2,                      // quotient bits a clock: 1 to QW
-    parameter AT_ONCE = 1                    // 1: operands may come as a result leaves, 0: behind it
+    parameter AT_ONCE = 1                    // 1: takes operands as a result leaves, 0: later
 ) (
     input  wire             clk,
     input  wire             rst,             // synchronous, active high

@@ -58,8 +58,8 @@ module rt_specular #(
     reg  [20:0]        m_q;                // u5.16
     reg  [28:0]        e_q;                // u13.16
     wire [25:0]        line;               // {start, slope}
-    // which, one-hot, told a clock ahead: cycles 7 to 9, 10, 14 or 20, 16 or 17; 4 to 6, 10, 14, 20,
-    // 16, 17
+    // which, one-hot, a clock ahead: cycles 7 to 9, 10, 14 or 20, 16 or 17; of b 4 to 6, 10, 14,
+    // 20, 16, 17
     reg  [3:0]         of_a_q;
     reg  [5:0]         of_b_q;
     reg                normal_turn_q, light_turn_q;

@@ -97,18 +97,21 @@ module rt_control #(
     always @(posedge clk)              // from a register, as the answer: it reaches far
         order_o <= write && w_addr == `RT_TOP_CONTROL && !rst ? ones[6:0] : 7'd0;
 
-    // ---- a read ----
-    reg         ar_full_q;
+    // ---- a read: what others have comes through a register, a clock before the answer ----
+    reg         ar_full_q, ar_seen_q;
     reg  [11:2] ar_q;
     wire [11:0] r_addr = {ar_q, 2'd0};
     wire        ar_machine = r_addr >= `RT_TOP_MACHINE && r_addr < `RT_TOP_COUNTERS;
     wire        ar_count   = r_addr >= `RT_TOP_COUNTERS && r_addr < COUNTERS_END;
-    wire        read = ar_full_q && !s_rvalid && !(ar_machine && machine_busy_i) &&
-                       !(ar_count && count_busy_i);
+    wire        ar_free = !(ar_machine && machine_busy_i) && !(ar_count && count_busy_i);
+    wire        read = ar_full_q && ar_seen_q && !s_rvalid && ar_free;
+    reg  [31:0] other_q;
     assign s_arready   = !ar_full_q;
     assign read_addr_o = ar_q[8:2];
     always @(posedge clk) begin
         if (s_arready) {ar_full_q, ar_q} <= {s_arvalid, s_araddr[11:2]};
+        ar_seen_q <= ar_full_q && ar_free && !read;
+        other_q   <= ar_count ? count_data_i : machine_data_i;
         if (s_rready)  s_rvalid <= 1'b0;
         if (read) begin
             ar_full_q <= 1'b0;
@@ -116,7 +119,7 @@ module rt_control #(
             s_rdata   <= known[1] ? read_value : 32'd0;
             s_rresp   <= known[1] ? 2'b00 : 2'b10;
         end
-        if (rst) {ar_full_q, s_rvalid} <= 2'd0;
+        if (rst) {ar_full_q, ar_seen_q, s_rvalid} <= 3'd0;
     end
 
     // ---- settings: read-write registers, one behind the other ----
@@ -174,7 +177,7 @@ module rt_control #(
             `RT_TOP_FRAME_COUNT:  read_value = frames_q;
             `RT_TOP_ERRORS:       read_value = {16'd0, errors_q};
             `RT_TOP_INTERRUPTS:   read_value = {28'd0, happened_q};
-            default:              read_value = ar_count ? count_data_i : machine_data_i;
+            default:              read_value = other_q;
         endcase
         for (k = 0; k < ALL; k = k + 1) if (THERE[k]) begin
             known = known | {r_addr == AT[12*k +: 12], w_addr == AT[12*k +: 12]};
