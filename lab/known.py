@@ -1,10 +1,10 @@
 # known.py - cells and clocks of cores that pages have, for the tool: cmodel/trial/known_table.h
 # SPDX-License-Identifier: Apache-2.0
 """Writes FILE: a line a core of one engine for an ECP5, its cells from docs/results/data
-(accuracy.costs.tsv, whose profiles were synthesised together, else effects.costs.tsv, else
-effects.left_out.tsv) and its clock from clocks.tsv. Then a line a word that cores have, and what it
-adds: the median over pairs of cores of a table that differ in it, and in what is known before,
-alone; of words that no pair tells, what the whole core loses without (effects.prices.tsv)."""
+(accuracy.kinds, else accuracy.costs, whose profiles were synthesised together, else effects.costs,
+else effects.left_out) and its clock from clocks.tsv. Then a line a word that cores have, and what
+it adds: the median over pairs of cores of a table that differ in it, and in what is known before,
+alone; of words that no pair tells, what the whole core loses without (effects.prices)."""
 import itertools
 import re
 import statistics
@@ -28,7 +28,7 @@ KEY = re.compile(r"(?P<profile>[a-z]+)-ecp5-(?P<effects>[a-z0-9+]+)-engines1"
                  r"(-pipes(?P<pipes>\d))?$")
 
 
-def cells(tables=("effects.left_out", "effects.costs", "accuracy.costs")):
+def cells(tables=("effects.left_out", "effects.costs", "accuracy.costs", "accuracy.kinds")):
     """{(profile, effects, pipes): LUT4eq, MULT, DP16KD}"""
     found = {}
     for table in tables:
@@ -36,7 +36,7 @@ def cells(tables=("effects.left_out", "effects.costs", "accuracy.costs")):
         for row in rows:
             cell = dict(zip(head, (word.strip("`") for word in row)))
             key = (cell.get("profile", "standard"), cell.get("core", CORE))
-            if key[0] in PROFILES and not key[1].startswith("all"):
+            if key[0] in PROFILES and not key[1].startswith("all") and cell["LUT4eq"] != "-":
                 found[(*key, 1)] = [cell[what] for what in ("LUT4eq", "MULT", "DP16KD")]
     return found
 

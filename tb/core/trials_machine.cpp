@@ -2,8 +2,8 @@
  * SPDX-License-Identifier: Apache-2.0
  */
 #include "damage.h"
-#include "refuse.h"
-#include "trials_class.h"
+#include "report.h"
+#include "trials.h"
 
 void Trials::refused() {
     const uint32_t effect = 1u << SPH_ERROR_MISSING_EFFECT, profile = 1u << SPH_ERROR_WRONG_PROFILE;

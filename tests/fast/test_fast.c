@@ -12,7 +12,6 @@
 #include "fast/pixel.h"
 #include "fast/tile.h"
 #include "model_scene.h"
-#include "untold.h"
 #include "render/render.h"
 
 enum { LANES = SPH_FAST_PLAIN + 1 };
