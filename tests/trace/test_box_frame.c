@@ -72,7 +72,8 @@ static void planes(void **state) {
             if (!begin_of(p, &ray, &frame, i, &from)) continue;
             for (int n = 0; n <= SPH_BOX_CODES; n += n ? 1 + (int)vec_pick(&rng, 0, 30) : 1) {
                 int64_t v = from + n * step;
-                int32_t enter = x->enter + n * x->step, leave = x->leave + n * (x->step + 2);
+                int32_t enter = x->enter + (n * x->step >> x->fine);
+                int32_t leave = x->leave + ((n - 1) * (x->step + 2) >> x->fine);
                 if (n < SPH_BOX_CODES && enter >= 0) assert_true(v >= 0 && (!x->flat || v > 0));
                 if (n && v >= 0) assert_true(leave > 0);
                 if (x->flat) continue;
@@ -83,7 +84,8 @@ static void planes(void **state) {
                 sph_i128 first = floor_of((sph_i128)ray.a * from, (sph_i128)size << bih.t_shift);
                 if (first < 0) first = -first;
                 int limited = first >= BEYOND;
-                assert_true(limited || leave - enter <= 2 * n + 4 + (int32_t)(first >> 14));
+                assert_true(limited ||
+                            leave - enter <= (2 * n >> x->fine) + 8 + (int32_t)(first >> 14));
                 bounds++;
             }
             open += x->open;
