@@ -2,9 +2,9 @@
 ; SPDX-License-Identifier: Apache-2.0
 ; Each lemma is denied, and must then have no solution; first its premises alone must have one.
 ; Of an axis: x = v mant / 2^shift, y = v q / 2^shift with q in [mant, mant + 2), mant >= 2^16, is
-; where plane 0 of the frame lies; f = mant 2^s / 2^shift, g = q 2^s / 2^shift is a step, times 2^fine. So
-; x <= y <= x (1 + 2^-15), where v is below 0 the other way round, and f <= g < f + 1, for a step
-; loses a bit at least. f_box_axis.v shows that at = floor(x), limited, and step = floor(f).
+; where plane 0 of the frame lies; f = mant 2^s / 2^shift, g = q 2^s / 2^shift is a step, times
+; 2^fine. So x <= y <= x (1 + 2^-15), where v is below 0 the other way round, and f <= g < f + 1,
+; for a step loses a bit at least. f_box_axis.v shows that at = floor(x), limited, step = floor(f).
 (declare-const x Real) (declare-const y Real) (declare-const f Real) (declare-const g Real)
 (declare-const at Int) (declare-const step Int)
 
