@@ -124,9 +124,9 @@ class Traverse : public Watch {
             const int at = SPH_CHILD_STRIDE * i;
             if (boxes()) {
                 for (size_t k = 0; k < 6; k++) /* lo, then hi */
-                    words[k] = static_cast<sph_i128>(node_.get(
-                        SPH_BOX_STRIDE * i + SPH_BOX_LO_X_BITS * static_cast<int>(k),
-                        SPH_BOX_LO_X_BITS));
+                    words[k] = static_cast<sph_i128>(
+                        node_.get(SPH_BOX_STRIDE * i + SPH_BOX_LO_X_BITS * static_cast<int>(k),
+                                  SPH_BOX_LO_X_BITS));
                 words[7] = limit_.word();
                 continue;
             }

@@ -102,6 +102,6 @@ int main(int argc, char **argv) {
             }
         b.done();
     }
-    if (b.all_vectors && 24 * met < b.vectors) b.fail("too few boxes are met");
+    if (b.all_vectors && 8 * met < b.vectors) b.fail("too few boxes are met");
     return b.finish();
 }

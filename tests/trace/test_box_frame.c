@@ -27,10 +27,13 @@ static void choose(struct sph_rng *rng, const struct sph_profile *p, struct sph_
     for (int i = 0; i < 3; i++)
         ray->a += (uint64_t)(ray->dir[i] * ray->dir[i]);
     *k = (int64_t)vec_unsigned(rng, p->w + 8);
+    for (int i = 0; i < 3; i++) /* to where it is on the grid */
+        while (llabs(ray->org[i] + ray->dir[i] * *k / PARTS) > 1ll << (p->w - 1))
+            *k >>= 1;
     for (int i = 0; i < 3; i++) {
         int own = vec_pick(rng, 0, 3) ? step : (int)vec_pick(rng, 0, 15);
         int64_t at = ray->org[i] + ray->dir[i] * *k / PARTS;
-        at = (at - (vec_pick(rng, 0, SPH_BOX_CODES - 1) << own)) >> up;
+        at = (at - (vec_pick(rng, 0, SPH_BOX_CODES - 1) << (own + sph_frame_step_shift(p)))) >> up;
         if (at < -end || at >= end) at = vec_signed(rng, SPH_FRAME_ORG_X_BITS);
         frame->org[i] = (int32_t)at * (1 << up);
         frame->step[i] = (uint8_t)(own + sph_frame_step_shift(p));
