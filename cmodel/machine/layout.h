@@ -111,8 +111,6 @@
 #define SPH_PRIM_KA_BITS 9
 #define SPH_PRIM_KD_LSB 180
 #define SPH_PRIM_KD_BITS 9
-#define SPH_PRIM_LEFT_OUT_LSB 189
-#define SPH_PRIM_LEFT_OUT_BITS 1
 #define SPH_PRIM_KS_LSB 218
 #define SPH_PRIM_KS_BITS 8
 #define SPH_PRIM_POWER_LSB 226
@@ -357,6 +355,7 @@
 #define SPH_REG_LEAST_WEIGHT 118
 #define SPH_REG_ONE_CAMERA 119
 #define SPH_LEAST_WEIGHT_MAX 256
+#define SPH_CAMERA_TURN 11
 #define SPH_LIGHT_STRIDE 8
 #define SPH_LIGHT_SHIFT_LSB 16
 #define SPH_LIGHT_SHIFT_BITS 5
@@ -404,7 +403,8 @@
 #define SPH_EFFECT_CLEAR 11
 #define SPH_EFFECT_TURNED 12
 #define SPH_EFFECT_SPREAD 13
-#define SPH_EFFECT_BITS 14
+#define SPH_EFFECT_CAMERA 14
+#define SPH_EFFECT_BITS 15
 #define SPH_KINDS 3
 #define SPH_KINDS_UNBOUNDED 4
 #define SPH_COUNTERS 22
@@ -414,7 +414,7 @@
 #define SPH_WIDTH_TABLE {"w", offsetof(struct sph_profile, w), 0, 5, 8, 24, "a leaf record has 24 bits"}, {"wd", offsetof(struct sph_profile, wd), 5, 5, 9, 31, "a register has 32 bits"}, {"pq", offsetof(struct sph_profile, pq), 10, 6, 4, 32, "a quotient is one word of the model"}, {"ng", offsetof(struct sph_profile, ng), 16, 3, 0, 4, "the bounds of build are 64-bit numbers"}, {"fw", offsetof(struct sph_profile, fw), 19, 4, 6, 14, "a node record has 14 bits"}, {"pr", offsetof(struct sph_profile, pr), 23, 6, 0, 51, "the longest root has 52 bits"}
 #define SPH_COUNTER_NAMES "rays_primary", "rays_shadow", "rays_reflected", "node_visits", "child_tests", "leaf_tests", "roots", "quotients", "background", "saturations", "cycles", "issue_wait", "node_misses", "leaf_misses", "rays_waiting", "pop_bubbles", "facet_tests", "divisions", "texels", "texel_misses", "rays_refracted", "powers"
 #define SPH_ERROR_NAMES "bad_node", "stack_overflow", "visit_limit", "bus_error", "missing_effect", "wrong_profile", "left_out"
-#define SPH_EFFECT_MASK 16383
+#define SPH_EFFECT_MASK 32767
 #define SPH_EACH_EFFECT(X)  \
     X(SHADOW, shadow, "SHADOW", 0, 1, 1, SPH_OPTION_WHEN, 0, 0, -1, 0, 0, -1, "rays towards the lights") \
     X(REFLECT, reflect, "REFLECT", 1, 10, 5, SPH_OPTION_WHEN, 0, 0, -1, 0, 0, SPH_REG_MAX_DEPTH, "mirror rays, up to MAX_DEPTH") \
@@ -430,14 +430,15 @@
     X(SMOOTH, smooth, "SMOOTH", 10, 1, 0, SPH_OPTION_WHEN, 64, 0, -1, 0, 0, -1, "interpolated normals of triangles") \
     X(CLEAR, clear, "CLEAR", 11, 1, 0, SPH_OPTION_WHEN, 1, 0, -1, 0, 0, -1, "shadow rays pass what is marked as clear") \
     X(TURNED, turned, "TURNED", 12, 1, 0, SPH_OPTION_NONE, 0, 32, -1, 0, 0, -1, "a grid in other axes than the camera's") \
-    X(SPREAD, spread, "SPREAD", 13, 1, 0, SPH_OPTION_WHEN, 128, 0, -1, 0, 0, -1, "levels in mirrors and glass by how spheres spread rays")
+    X(SPREAD, spread, "SPREAD", 13, 1, 0, SPH_OPTION_WHEN, 128, 0, -1, 0, 0, -1, "levels in mirrors and glass by how spheres spread rays") \
+    X(CAMERA, camera, "CAMERA", 14, 1, 1, SPH_OPTION_NONE, 0, 0, -1, 0, 0, -1, "refuses every camera but the machine's own, since something is left out")
 #define SPH_EACH_PART(X) SPH_EACH_EFFECT(X) \
     X(COARSE, coarse, "COARSE", -1, 8, 0, SPH_OPTION_NONE, 128, 0, -1, 0, 0, SPH_REG_COARSE, "bits of the fraction of levels rounded away") \
     X(RECT, rect, "RECT", -1, 1, 1, SPH_OPTION_NONE, 0, 0, SPH_REG_BG_MODE, 1, 1, -1, "background separation by rectangle") \
     X(SPANS, spans, "SPANS", -1, 1, 1, SPH_OPTION_NONE, 0, 0, SPH_REG_BG_MODE, 2, 2, -1, "background separation by spans in memory") \
     X(CONES, cones, "CONES", -1, 16, 1, SPH_OPTION_NONE, 0, 0, SPH_REG_BG_MODE, 3, 3, SPH_REG_BG_COUNT, "exact background separation, by so many spheres") \
     X(BIH, bih, "ACCEL", -1, 1, 0, SPH_OPTION_NONE, 0, 16, SPH_REG_TREE, 3, 4, -1, "a BIH instead of nodes of four children") \
-    X(BOXES, boxes, "BOXES", -1, 1, 0, SPH_OPTION_NONE, 0, 524304, SPH_REG_TREE, 6, 6, -1, "boxes around the children of a node, not spheres")
+    X(BOXES, boxes, "BOXES", -1, 1, 0, SPH_OPTION_NONE, 0, 1048592, SPH_REG_TREE, 6, 6, -1, "boxes around the children of a node, not spheres")
 #define SPH_EACH_REG(X)  \
     X(EFFECTS) \
     X(MAX_DEPTH) \

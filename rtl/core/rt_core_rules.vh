@@ -37,6 +37,7 @@
     `RT_CHECK(TURNED >= 0 && TURNED <= 1, rt_core_TURNED_must_be_0_to_1)
     `RT_CHECK(SPREAD >= 0 && SPREAD <= 1, rt_core_SPREAD_must_be_0_to_1)
     `RT_CHECK(SPREAD == 0 || TEXTURE != 0, rt_core_SPREAD_needs_TEXTURE)
+    `RT_CHECK(CAMERA >= 0 && CAMERA <= 1, rt_core_CAMERA_must_be_0_to_1)
     `RT_CHECK(COARSE >= 0 && COARSE <= 8, rt_core_COARSE_must_be_0_to_8)
     `RT_CHECK(COARSE == 0 || TEXTURE != 0, rt_core_COARSE_needs_TEXTURE)
     `RT_CHECK(RECT >= 0 && RECT <= 1, rt_core_RECT_must_be_0_to_1)

@@ -67,8 +67,7 @@ module rt_engine #(
     //: {MISS, PRIM[prim_event]}
     output wire [SHADES*`RT_SHADE_EVENT_BITS-1:0] shade_event_o,
     //: {MISS, TEXEL, POWER, SATURATED, QUOTIENT, REFRACTED, REFLECTED, SHADOW, PRIMARY}
-    output wire [15:0]                fault_o,         // {slots, shade, exact, trace}
-    output wire                       left_out_o       // of shade, the error LEFT_OUT
+    output wire [15:0]                fault_o          // {slots, shade, exact, trace}
 );
     localparam SLOTW   = $clog2(SLOTS), LB = `RT_LINE_BITS;
     localparam PB = $clog2(PIPES), XB = $clog2(LEAF_UNITS), SB = $clog2(SHADES),
@@ -150,8 +149,7 @@ module rt_engine #(
         .texture_o(texture), .mem_req_valid_o(tex_req_valid), .mem_req_ready_i(tex_req_ready),
         .mem_req_line_o(tex_req_line), .mem_rsp_valid_i(tex_rsp_valid),
         .mem_rsp_ready_o(tex_rsp_ready), .mem_rsp_data_i(mem_rsp_data_i),
-        .mem_rsp_error_i(mem_rsp_error_i), .event_o(shade_event_o), .fault_o(fault_o[11:8]),
-        .left_out_o(left_out_o)
+        .mem_rsp_error_i(mem_rsp_error_i), .event_o(shade_event_o), .fault_o(fault_o[11:8])
     );
     generate
         if (TEXTURE != 0) begin : g_texture

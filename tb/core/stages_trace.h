@@ -4,7 +4,7 @@
 #ifndef TB_STAGES_TRACE_H
 #define TB_STAGES_TRACE_H
 
-#include "stages_followed.h"
+#include "stages_shade.h"
 
 // ---- slots: the pixel comes, its rays are done, it leaves ----
 
