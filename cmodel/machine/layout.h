@@ -57,6 +57,7 @@
 #define SPH_BIH_CHUNK 4
 #define SPH_BIH_LEAF 3
 #define SPH_BOX_CROSS 17
+#define SPH_BOX_FINE 4
 #define SPH_BOX_NEAR 11
 #define SPH_FRAMES 3
 #define SPH_SPHERE 0

@@ -91,11 +91,14 @@ void sph_box_axes(const struct sph_profile *p, const struct sph_bih_ray *bih,
         int64_t at = v * x->mant >> shift;
         if (at < -FRAME_T) at = -FRAME_T;
         if (at > BEYOND) at = BEYOND;
-        int32_t begin = (int32_t)at, more = begin >> EXACT;
+        int32_t begin = (int32_t)at, rest = begin >> EXACT;
+        int fine = shift - s > SPH_BOX_FINE ? SPH_BOX_FINE : 0;
+        int32_t step = (int32_t)((uint64_t)x->mant >> (shift - s - fine));
         axes[i] = (struct sph_box_axis){
-            .enter = begin + (begin < 0 ? more : 0) - x->zero,
-            .leave = begin + 2 + (begin < 0 ? 0 : more),
-            .step = (int32_t)((uint64_t)x->mant >> (shift - s)),
+            .enter = begin + (begin < 0 ? rest : 0) - x->zero,
+            .leave = begin + (begin < 0 ? 0 : rest) + (step >> fine) + 5,
+            .step = step,
+            .fine = fine,
             .back = x->negative,
             .flat = x->zero,
             .open = x->zero || x->shift < 0 || steep,
@@ -109,8 +112,8 @@ int sph_box_meets(const struct sph_box_axis axes[3], const struct sph_ray *ray,
     for (int i = 0; i < 3; i++) {
         const struct sph_box_axis *x = &axes[i];
         int lo = planes->lo[i], hi = planes->hi[i], end = SPH_BOX_CODES - 1;
-        int32_t enter = x->enter + (x->back ? end - hi : lo) * x->step;
-        int32_t leave = x->leave + ((x->back ? end - lo : hi) + 1) * (x->step + 2);
+        int32_t enter = x->enter + ((x->back ? end - hi : lo) * x->step >> x->fine);
+        int32_t leave = x->leave + ((x->back ? end - lo : hi) * (x->step + 2) >> x->fine);
         if (x->flat) enter |= BEYOND; /* what is below 0 stays so */
         if (x->open) leave |= BEYOND;
         if (enter > first) first = enter;

@@ -85,6 +85,7 @@
 `define RT_BIH_CHUNK 4
 `define RT_BIH_LEAF 3
 `define RT_BOX_CROSS 17
+`define RT_BOX_FINE 4
 `define RT_BOX_NEAR 11
 `define RT_FRAMES 3
 `define RT_SPHERE 0
