@@ -7,7 +7,7 @@
     {"fine", "shadow+reflect2+lights3+inside", 1, 19016, 64, 99, 124.2, 124.2, 124.2, 1, 0, 0}, \
     {"reference", "shadow+lights1+facets+camera", 1, 23984, 89, 91, 0, 0, 0, 0, 0, 0}, \
     {"reference", "shadow+lights2+facets", 1, 23897, 89, 92, 0, 0, 0, 0, 0, 0}, \
-    {"reference", "shadow+reflect2+lights3+inside", 1, 20594, 64, 109, 123.3, 123.3, 123.3, 1, 0, 0}, \
+    {"reference", "shadow+reflect2+lights3+inside", 1, 20054, 64, 109, 123.3, 123.3, 123.3, 1, 0, 0}, \
     {"standard", "bih", 1, 11193, 20, 67, 0, 0, 0, 0, 0, 0}, \
     {"standard", "facets+boxes", 1, 24795, 66, 61, 0, 0, 0, 0, 0, 0}, \
     {"standard", "inside", 1, 12262, 55, 57, 0, 0, 0, 0, 0, 0}, \
@@ -41,7 +41,7 @@
     {"standard", "shadow+reflect2+lights2+inside+facets", 1, 21286, 84, 95, 0, 0, 0, 0, 0, 0}, \
     {"standard", "shadow+reflect2+lights2+inside+facets+refract+specular+sum", 1, 26303, 91, 123, 0, 0, 0, 0, 0, 0}, \
     {"standard", "shadow+reflect2+lights2+inside+facets+texture+spread", 1, 31928, 100, 137, 0, 0, 0, 0, 0, 0}, \
-    {"standard", "shadow+reflect2+lights3+inside", 1, 16164, 64, 95, 122.7, 127.5, 133.5, 5, 0, 0}, \
+    {"standard", "shadow+reflect2+lights3+inside", 1, 15650, 64, 95, 122.7, 127.5, 133.5, 5, 0, 0}, \
     {"standard", "shadow+reflect2+lights3+inside+bih", 1, 0, 0, 0, 77.2, 77.2, 77.2, 1, 0, 0}, \
     {"standard", "shadow+reflect2+lights3+inside+facets", 1, 0, 0, 0, 105.3, 105.3, 105.3, 1, 0, 0}, \
     {"standard", "shadow+reflect2+lights3+inside+refract", 1, 0, 0, 0, 113.0, 113.0, 113.0, 1, 0, 0}, \
