@@ -10,9 +10,13 @@
 #include "machine/layout.h" /* SPH_TEXTURE_LEVELS */
 #include "texture/texel.h"
 
+/* How an image's bytes stand for light: as its file says, or as asked for. */
+enum { SPH_COLOURS_OF_FILE, SPH_COLOURS_SRGB, SPH_COLOURS_LINEAR };
+
 struct sph_mip {
     int width, height, levels; /* level l: sph_level_size() of both; the last is 1 x 1 */
-    uint32_t *texels;          /* 0xAABBGGRR, level after level, row by row from the top */
+    int decoded;               /* colours were not linear in the file: sRGB, or a gamma */
+    uint32_t *texels;          /* linear, 0xAABBGGRR, level after level, row by row from the top */
 };
 
 /* Levels of an image down to one texel. */

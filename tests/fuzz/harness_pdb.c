@@ -4,7 +4,7 @@
 #include <stdio.h>
 
 #include "fuzz.h"
-#include "scene/pdb_import.h"
+#include "scene/import.h"
 
 static char elements[4096];
 
@@ -16,12 +16,9 @@ void fuzz_one(const uint8_t *data, size_t size) {
     struct sph_scene scene;
     struct sph_error err = {""};
     uint64_t choice = fuzz_hash(data, size);
-    struct sph_import_counts counts;
-    struct sph_import_options o = {.elements_path = elements,
-                                   .keep_water = choice >> 60 & 1,
-                                   .counts = choice >> 61 & 1 ? &counts : NULL};
+    struct sph_import_options o = {.elements_path = elements, .keep_water = choice >> 60 & 1};
     fuzz_write("atoms.pdb", data, size);
-    if (sph_import_pdb("atoms.pdb", &o, &scene, &err)) {
+    if (sph_import("atoms.pdb", SPH_FILE_PDB, &o, &scene, &err)) {
         fuzz_message(&err, "atoms.pdb", 1);
         return;
     }
