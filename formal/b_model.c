@@ -8,13 +8,11 @@
  * widths that headers tell.
  */
 // NOLINTBEGIN(bugprone-suspicious-include): static functions too
-#include "math/isqrt.c"
-#include "math/quotient.c"
+#include "math/arith.c"
 #include "prim/facet.c"
 #include "shade/colour.c"
 #include "shade/refract.c"
 #include "trace/bih.c"
-#include "trace/box.c"
 #include "trace/filter.c"
 #include "shade/material.c"
 // NOLINTEND(bugprone-suspicious-include)

@@ -6,8 +6,8 @@
  * W. The proof is clang's own, which takes out a trap that it knows is never reached: of FUNCTION
  * none may be left. So each of these operations is that of the integers.
  */
-#include "prim/facet.c" // NOLINT(bugprone-suspicious-include): to be inlined
-#include "prim/leaf.c"  // NOLINT(bugprone-suspicious-include)
+#include "prim/facet.c"  // NOLINT(bugprone-suspicious-include): to be inlined
+#include "prim/sphere.c" // NOLINT(bugprone-suspicious-include)
 
 #ifndef W
 #define W 24

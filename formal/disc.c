@@ -11,7 +11,7 @@
 #include <stdio.h>
 
 #include "machine/layout.h"
-#include "prim/leaf.h"
+#include "prim/sphere.h"
 
 #ifndef W
 #define W 2

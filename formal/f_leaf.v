@@ -1,8 +1,8 @@
 // f_leaf.v - proof that rt_leaf computes sph_leaf_test(), every input of a small width
 // SPDX-License-Identifier: Apache-2.0
 // A leaf is taken in the first clock, with anything inside: others before and behind it come at any
-// time. T clocks later the result is that of cmodel/prim/leaf.c in words that hold every value, so
-// disc fits its 2W+2WD+2 bits and the sums modulo that are exact.
+// time. T clocks later the result is that of cmodel/prim/sphere.c in words that hold every value,
+// so disc fits its 2W+2WD+2 bits and the sums modulo that are exact.
 `timescale 1ns / 1ps
 `default_nettype none
 module f_leaf #(

@@ -18,7 +18,7 @@
 #include "machine/layout.h"
 #include "math/fx.h"
 #include "trace/filter.h"
-#include "prim/leaf.h"
+#include "prim/sphere.h"
 #include "trace/setup.h"
 
 #ifndef W

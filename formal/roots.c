@@ -7,8 +7,7 @@
  */
 #include <stdio.h>
 
-#include "math/isqrt.h"
-#include "math/quotient.h"
+#include "math/arith.h"
 
 #ifndef XW
 #define XW 16 /* radicands */

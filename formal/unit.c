@@ -11,7 +11,7 @@
 #include <stdio.h>
 
 #include "machine/layout.h"
-#include "math/rsqrt.h"
+#include "math/arith.h"
 
 int main(void) {
     for (uint32_t x = 1 << 16; x < 1 << 18; x++) {

@@ -20,7 +20,7 @@ from .runner import Runner as Runs
 from .synth import report
 from .tree_options import OF_FOUR, options
 
-NO_ID, HEAD = 0xFFFFFF, 32  # of a frame file: cmodel/core/frame_file.h
+NO_ID, HEAD = 0xFFFFFF, 32  # of a frame file: cmodel/core/frame.h
 SIZE, LARGE = "160x90", "96x64"
 BALLS = [("`paper100`", "paper100"), ("random:256", "gen random:256"),
          ("sphereflake:3", "gen sphereflake:3"), ("random:1000", "gen random:1000"),

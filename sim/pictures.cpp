@@ -16,7 +16,7 @@
 #include "image/image.h"
 extern "C" {
 #include "common/number.h"
-#include "core/frame_file.h"
+#include "core/frame.h"
 }
 
 namespace {

@@ -17,7 +17,7 @@
 #include "machine/parts.h"
 #include "reference/cut.h"
 #include "scene/scene.h"
-#include "texture/mip.h"
+#include "texture/texel.h"
 
 enum { SPH_BG_NONE = 0, SPH_BG_RECT = 1, SPH_BG_SPANS = 2, SPH_BG_EXACT = 3 };
 enum { SPH_BUILD_NEAREST = 0, SPH_BUILD_FIRST = 1 };

@@ -8,7 +8,7 @@
 
 #include "builder/emit.h"
 #include "scene/vector.h"
-#include "shade/smooth.h"
+#include "shade/surface.h"
 
 enum {
     MANTISSA = SPH_SMOOTH_M_XX_BITS - 1,

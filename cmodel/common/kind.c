@@ -7,7 +7,7 @@
 #include <string.h>
 #include <strings.h>
 
-#include "common/input.h"
+#include "common/file.h"
 
 enum { HEAD = 4096 }; /* bytes that are looked at */
 

@@ -10,6 +10,7 @@
 #ifndef SPH_PARALLEL_H
 #define SPH_PARALLEL_H
 
+#include <stddef.h>
 #include <stdint.h>
 
 /* Processors that this process may run on, at least 1. */
@@ -35,5 +36,33 @@ void sph_parallel_two(int worth, void (*half)(void *), void *a, void *b);
  * need no lock and take none. */
 void sph_parallel_lock(void);
 void sph_parallel_unlock(void);
+
+/* ---- how far long work is, told to who asked ---- */
+
+/* What is told, or a part of it: that between two shares of all, 0..1. */
+struct sph_progress {
+    void (*show)(void *user, int done, int all); /* NULL: nobody asked; of one thread at a time */
+    void *user;
+    double from, to;
+};
+
+enum { SPH_PROGRESS_ALL = 1000 };
+
+/* Tells that a share, 0..1, of the part is done; p may be NULL. */
+static inline void sph_progress_at(const struct sph_progress *p, double share) {
+    if (!p || !p->show) return;
+    double done = p->from + (p->to - p->from) * share;
+    sph_parallel_lock();
+    p->show(p->user, (int)(SPH_PROGRESS_ALL * done), SPH_PROGRESS_ALL);
+    sph_parallel_unlock();
+}
+
+/* The part of a part between two shares of it; p may be NULL. */
+static inline struct sph_progress sph_progress_part(const struct sph_progress *p, double from,
+                                                    double to) {
+    if (!p) return (struct sph_progress){NULL, NULL, 0, 1};
+    double size = p->to - p->from;
+    return (struct sph_progress){p->show, p->user, p->from + size * from, p->from + size * to};
+}
 
 #endif

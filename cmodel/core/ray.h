@@ -6,7 +6,7 @@
 
 #include <stdint.h>
 
-#include "math/rsqrt.h"
+#include "math/arith.h"
 #include "machine/profile.h"
 
 enum { SPH_PRIMARY, SPH_SHADOW, SPH_REFLECTED, SPH_REFRACTED };

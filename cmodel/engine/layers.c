@@ -10,7 +10,6 @@
 #include "pixel/walk.h"
 #include "prim/prim.h"
 #include "shade/material.h"
-#include "shade/smooth.h"
 #include "shade/surface.h"
 #include "trace/setup.h"
 

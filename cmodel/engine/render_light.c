@@ -5,8 +5,7 @@
 
 #include "math/fx.h"
 #include "shade/colour.h"
-#include "shade/specular.h"
-#include "texture/filter.h"
+#include "texture/texel.h"
 #include "trace/traverse.h"
 #include "trace/setup.h"
 

@@ -10,7 +10,7 @@
 #include "engine/render_light.h"
 #include "shade/colour.h"
 #include "shade/refract.h"
-#include "shade/smooth.h"
+#include "shade/surface.h"
 #include "texture/lod.h"
 #include "texture/lookup.h"
 #include "prim/prim.h"

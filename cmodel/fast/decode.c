@@ -12,7 +12,7 @@
 #include "machine/records.h"
 #include "prim/prim.h"
 #include "prim/sphere.h"
-#include "trace/node.h"
+#include "trace/filter.h"
 
 enum { WORTH = 4096 }; /* nodes, a thread */
 

@@ -1,12 +1,38 @@
 /* packet_rays.h - the rays of a packet, and the planes around them; see packet_walk.h
  * SPDX-License-Identifier: Apache-2.0
  */
+#ifndef PACKET_RAYS_H
+#define PACKET_RAYS_H
+
 #include <stddef.h>
+#include <stdint.h>
 
 #include "fast/lanes.h"
 #include "fast/packets.h"
-#include "fast/shaft.h"
 #include "machine/layout.h"
+
+/* ---- planes around the rays of a packet ---- */
+
+/* Farther from the middle of the grid than any sphere reaches, in filter units of FW <= 14 bits:
+ * half the grid and the greatest radius of a node. */
+enum { SPH_SHAFT_FAR = 25000 };
+
+/* A sphere of a node lies outside, with its radius r, if of its pairs of words, as the node has
+ * them, xy . (x, y) + zr . (z, r) > bound; each for four children. */
+struct sph_shaft_plane {
+    four xy, zr, bound;
+};
+
+/* s is the way along an axis from a plane behind all rays, in filter units, sign * c[axis] - start;
+ * no point of a ray has s < 0 or s > end. u is one of the other axes, or minus it: of each point
+ * u - slope * s <= bound, with a slope and a bound for each of the four. */
+enum { SPH_SHAFT_END, SPH_SHAFT_BEGIN, SPH_SHAFT_SIDES, SPH_SHAFT_PLANES = 6 };
+
+struct sph_shaft {
+    struct sph_shaft_plane plane[SPH_SHAFT_PLANES];
+    int axis;
+    int32_t start;
+};
 
 enum { VECTORS = SPH_PACKET / LANES };
 
@@ -175,3 +201,5 @@ static int shaft_of(struct packet *p, int axis, int back) {
         if (!side_of(h, i, other[i >> 1], !(i & 1), sign, slope[i], bound[i])) return 0;
     return 1;
 }
+
+#endif

@@ -5,7 +5,7 @@
 #define SPH_FAST_PATH_H
 
 #include "fast/fast.h"
-#include "fast/surface.h"
+#include "fast/setup.h"
 
 struct sph_fast_job {
     const struct sph_machine *m;

@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-#include "prim/kinds.h"
+#include "prim/prim.h"
 
 void sph_fast_triangle_read(const struct sph_profile *p, const uint32_t *record,
                             struct sph_fast_triangle *t) {

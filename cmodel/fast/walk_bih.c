@@ -4,7 +4,7 @@
  * A node is read by whole words; what a ray needs of the planes is divided by the processor.
  */
 #include "fast/leaf.h"
-#include "fast/planes.h"
+#include "fast/setup.h"
 #include "machine/records.h"
 
 /* A node to visit, and where along the ray what lies below it may be. */

@@ -1,14 +1,14 @@
-/* walk_boxes.c - the walk of nodes of boxes: trace/box.c and trace/bih.c are read beside it
+/* walk_boxes.c - the walk of nodes of boxes: trace/bih.c and trace/bih.c are read beside it
  * SPDX-License-Identifier: Apache-2.0
  *
  * All planes of an axis are cut in the same way, so that a ray has two multipliers and shifts an
  * axis, and what it needs of each child comes without a branch. A ray that does not move along an
  * axis has multipliers of 0 and no bounds there; it misses what its origin is not in.
  */
-#include "fast/planes.h"
+#include "fast/setup.h"
 #include "fast/sorted.h"
 #include "math/fx.h"
-#include "trace/box.h"
+#include "trace/bih.h"
 
 /* An axis: distances from the origin, along the ray, become T-words. */
 struct course {

@@ -11,8 +11,8 @@
 #include <immintrin.h>
 
 #include "fast/keys_avx2.h"
-#include "fast/planes.h"
-#include "trace/box.h"
+#include "fast/setup.h"
+#include "trace/bih.h"
 
 /* An axis: distances from the origin, along the ray, become T-words. */
 struct course {

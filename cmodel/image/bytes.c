@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-#include "common/output.h"
+#include "common/file.h"
 
 int sph_bytes_write(const char *path, int width, int height, const uint8_t *rgb, int transfer,
                     struct sph_error *err) {

@@ -10,7 +10,7 @@
 
 #include <OpenImageIO/filesystem.h>
 
-#include "common/output.h"
+#include "common/file.h"
 
 const char *const sph_picture::no_time = "1970:01:01 00:00:00";
 

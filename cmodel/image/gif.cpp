@@ -9,7 +9,7 @@
 #include <string>
 #include <unistd.h>
 
-#include "common/output.h"
+#include "common/file.h"
 #include "image/file.h"
 #include "image/image.h"
 

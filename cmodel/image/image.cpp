@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <memory>
 
-#include "common/input.h"
+#include "common/file.h"
 #include "image/file.h"
 #include "machine/layout.h"
 

@@ -11,7 +11,7 @@
 #include <string.h>
 
 #include "common/module.h"
-#include "common/output.h"
+#include "common/file.h"
 #include "image/bytes.h"
 #include "image/texture.h"
 

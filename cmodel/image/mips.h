@@ -6,7 +6,7 @@
 
 #include "common/error.h"
 #include "scene/scene.h"
-#include "texture/mip.h"
+#include "texture/texel.h"
 
 /* Reads the images of a scene, n_textures of them in its order; a file that stands twice is read
  * once and shares its texels. 0, or -1 with scene, line, file and reason, and nothing to free. */

@@ -19,7 +19,7 @@
 #include <OpenImageIO/imageio.h>
 #include <OpenImageIO/strutil.h>
 
-#include "common/input.h"
+#include "common/file.h"
 #include "image/file.h"
 
 namespace {

@@ -11,7 +11,7 @@ extern "C" {
 #endif
 
 #include "common/error.h"
-#include "texture/mip.h"
+#include "texture/texel.h"
 
 /* lazy.c looks for these by name */
 #pragma GCC visibility push(default)

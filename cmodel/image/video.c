@@ -15,7 +15,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "common/output.h"
+#include "common/file.h"
 #include "image/image.h"
 
 extern char **environ;

@@ -7,7 +7,7 @@
 #include <inttypes.h>
 #include <string.h>
 
-#include "common/output.h"
+#include "common/file.h"
 #include "machine/parts.h"
 
 /* What the hardware must be told of the machine, as comments. */

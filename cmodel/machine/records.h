@@ -6,6 +6,9 @@
 #ifndef SPH_MACHINE_RECORDS_H
 #define SPH_MACHINE_RECORDS_H
 
+#include <stdint.h>
+
+#include "machine/layout.h"
 #include "machine/machine.h"
 
 /* Whether records of the machine have whole lines. */
@@ -43,6 +46,22 @@ static inline int sph_record_clear(uint32_t kind, const uint32_t *line) {
 static inline uint32_t sph_prim_kind(const struct sph_machine *m, const uint32_t *prim) {
     if (!sph_machine_effect(m, SPH_EFFECT_FACETS)) return SPH_SPHERE;
     return sph_field(prim, SPH_PRIM_KIND_LSB, SPH_PRIM_KIND_BITS);
+}
+
+/* ---- what is known of a kind of primitive by its number alone; kinds stand in machine.def ---- */
+
+/* "sphere" and so on; NULL of a number that no kind has. */
+static inline const char *sph_kind_name(uint32_t kind) {
+#define SPH_KIND_NAME(name) #name,
+    static const char *const names[SPH_KINDS] = {SPH_EACH_KIND(SPH_KIND_NAME)};
+#undef SPH_KIND_NAME
+    return kind < SPH_KINDS ? names[kind] : 0;
+}
+
+/* 1 if nothing bounds it: no node holds it. It is a leaf child of the root, and stands in front of
+ * the records of a BIH. */
+static inline int sph_kind_unbounded(uint32_t kind) {
+    return kind < SPH_KINDS && SPH_KINDS_UNBOUNDED >> kind & 1;
 }
 
 #endif

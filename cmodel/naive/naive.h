@@ -12,7 +12,7 @@
 #include "core/frame.h"
 #include "machine/machine.h"
 #include "prim/facet.h"
-#include "prim/leaf.h"
+#include "prim/sphere.h"
 #include "core/ray.h"
 
 struct sph_naive_leaf {

@@ -1,4 +1,4 @@
-/* facet.h - the exact test of a ray and a triangle or plane            RTL: rtl/prim/rt_facet.v
+/* facet.h - the exact test of a ray and a triangle or plane
  * SPDX-License-Identifier: Apache-2.0
  *
  * t = num/det is never formed: with N = e1 x e2 (plane: its normal), det = N.dir and num = N.A0,
@@ -31,10 +31,10 @@
 
 #include <stdint.h>
 
+#include "core/ray.h"
 #include "machine/layout.h"
 #include "math/fx.h"
 #include "shade/surface.h"
-#include "core/ray.h"
 
 struct sph_facet_leaf {
     int kind;        /* SPH_TRIANGLE; SPH_PLANE and what no machine has: a plane */
@@ -80,5 +80,13 @@ static inline int sph_surface_facet(const struct sph_profile *p, const struct sp
     sph_surface_turn(p, ray, hit->far, normal, s);
     return saturated;
 }
+
+/* ---- the normal that a triangle's primitive record has ---- */
+
+/* The normal of a triangle of grid points (sW, W <= 24): (v1-v0) x (v2-v0), shifted so that the
+ * largest component fills 24 bits, sign included, and rounded half away from zero; what is not 0
+ * stays at least 1, so that the signs are exact. 0 if the corners are on one line: no normal, no
+ * area. */
+int sph_triangle_normal(const int32_t (*v)[3], int32_t normal[3]);
 
 #endif

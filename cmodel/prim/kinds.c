@@ -1,7 +1,7 @@
-/* kinds.c - what several kinds of primitives share; see kinds.h
+/* kinds.c - what several kinds of primitives share; see prim.h
  * SPDX-License-Identifier: Apache-2.0
  */
-#include "prim/kinds.h"
+#include "prim/prim.h"
 
 #include <string.h>
 

@@ -1,7 +1,7 @@
 /* plane.c - a plane behind the interface of primitives; see prim.h
  * SPDX-License-Identifier: Apache-2.0                                    RTL: rtl/prim/rt_facet.v
  */
-#include "prim/kinds.h"
+#include "prim/prim.h"
 
 struct sph_facet_leaf sph_plane_read(const struct sph_profile *p, const uint32_t *line) {
     struct sph_facet_leaf f = sph_facet_head(line, SPH_PLANE);

@@ -3,8 +3,6 @@
  */
 #include "prim/prim.h"
 
-#include "prim/kinds.h"
-
 #define KIND(name) &sph_prim_##name,
 static const struct sph_prim *const kinds[SPH_KINDS] = {SPH_EACH_KIND(KIND)};
 

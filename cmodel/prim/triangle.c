@@ -1,9 +1,9 @@
 /* triangle.c - a triangle behind the interface of primitives; see prim.h
  * SPDX-License-Identifier: Apache-2.0                                    RTL: rtl/prim/rt_facet.v
  */
-#include "prim/triangle.h"
+#include "prim/facet.h"
 
-#include "prim/kinds.h"
+#include "prim/prim.h"
 
 static const int corner_lsb[3] = {SPH_TRIANGLE_V0_X_LSB, SPH_TRIANGLE_V1_X_LSB,
                                   SPH_TRIANGLE_V2_X_LSB};

@@ -6,7 +6,7 @@
 #include <math.h>
 
 #include "machine/camera.h"
-#include "math/quotient.h"
+#include "math/arith.h"
 #include "pixel/walk.h"
 
 /* Distance from the eye to the hit of pixel x, y in grid units, as the machine's quotient has it.

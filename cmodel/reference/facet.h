@@ -5,8 +5,15 @@
 #define SPH_REFERENCE_FACET_H
 
 #include "reference/ray.h"
-#include "scene/texture_base.h"
 #include "scene/scene.h"
+#include "scene/texture_base.h"
+
+/* ---- on which side of an edge a ray passes, exactly ---- */
+
+/* The sign of dir . ((p - org) x (q - org)), of these very doubles: -1, 0 or 1. Exchanging p and q
+ * turns it over. */
+int sph_ref_exact_side(const double org[3], const double dir[3], const double p[3],
+                       const double q[3]);
 
 /* Whether a facet has no end: no box holds it. */
 int sph_ref_facet_unbounded(const struct sph_facet *facet);

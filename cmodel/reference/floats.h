@@ -15,7 +15,7 @@
 #define SPH_REFERENCE_FLOATS_H
 
 #include "prim/facet.h"
-#include "prim/leaf.h"
+#include "prim/sphere.h"
 
 /* From 1 on: 0 is left to exact integers. */
 enum { SPH_F32_TEXTBOOK = 1, SPH_F32_PAPER, SPH_F32_GEMS, SPH_F64_TEXTBOOK, SPH_FORMULAS };

@@ -6,13 +6,94 @@
 #include <math.h>
 #include <string.h>
 
-#include "reference/drift.h"
 #include "reference/facet.h"
-#include "reference/whitted.h"
 #include "scene/nesting.h"
+
+/* ---- drift ---- */
 
 static double dot(const double a[3], const double b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+void sph_ref_drift_start(struct sph_ref_ray *ray) {
+    ray->lift = ray->off = 0;
+    ray->turn = 2 * SPH_REF_ULP; /* axes of the camera, distance of the screen, place on it */
+}
+
+double sph_ref_drift_hit(const struct sph_scene *scene, const struct sph_ref_ray *ray,
+                         const struct sph_ref_hit *hit, const double at[3], const double side[3],
+                         struct sph_ref_ray *next) {
+    double length = sqrt(dot(ray->dir, ray->dir)), place = SPH_REF_ULP * 2 * sph_ref_size(at);
+    double cosine = fmax(fabs(dot(ray->dir, side)) / length, 1e-8), along = hit->slack * length;
+    next->lift = along * cosine + place;
+    next->off = (ray->off + hit->t * length * ray->turn) / cosine + along + place;
+    if (hit->id >= scene->n_spheres)
+        return sph_ref_facet_turn(&scene->facets[hit->id - scene->n_spheres], next->off);
+    return next->off / scene->spheres[hit->id].rad + 4 * SPH_REF_ULP;
+}
+
+double sph_ref_drift_light(const double at[3], const double lamp[3], const double dir[3]) {
+    return 2 * SPH_REF_ULP * (sph_ref_size(at) + sph_ref_size(lamp)) / sph_ref_size(dir);
+}
+
+double sph_ref_drift_mirror(double turn, double normal) {
+    return turn + 2 * normal + 2 * SPH_REF_ULP;
+}
+
+double sph_ref_drift_refract(double turn, double normal, double cosine, double ratio) {
+    double rest = 1 - ratio * ratio * (1 - cosine * cosine), both = turn + normal;
+    double unsure = 2 * ratio * ratio * fabs(cosine) * both + 8 * SPH_REF_ULP;
+    if (fabs(rest) <= unsure) return INFINITY;
+    if (rest < 0) return 0;
+    double bend = ratio + ratio * ratio * fabs(cosine) / sqrt(rest); /* of the normal's share */
+    return ratio * turn + bend * both + (ratio + 1) * normal + 2 * SPH_REF_ULP;
+}
+
+/* ---- whitted ---- */
+
+static double share(double k) {
+    return fmin(fmax(k, 0), 1);
+}
+
+static double left(const struct sph_material *m, double kr, double kt) {
+    return m->sum.on ? 1 : 1 - kr - kt;
+}
+
+struct sph_ref_shares sph_ref_shares_of(const struct sph_material *m, int follow, int reflect,
+                                        int refract) {
+    double mirror = share(m->sum.on ? m->sum.kr : m->ks);
+    struct sph_ref_shares s = {.kr = follow && reflect ? mirror : 0};
+    if (m->sum.on) {
+        s.ka = m->sum.ka, s.kd = m->kd, s.ks = m->ks;
+        s.kt = follow && refract ? share(m->trans) : 0;
+    } else { /* (1 - ks) * colour = kd * rgb */
+        s.ka = s.kd = mirror < 1 ? fmin(1, m->kd / (1 - mirror)) : m->kd;
+    }
+    s.own = left(m, s.kr, s.kt);
+    return s;
+}
+
+void sph_ref_reflect_all(struct sph_ref_shares *s, const struct sph_material *m, int whole) {
+    s->kr = whole ? 1 : fmin(1, s->kr + s->kt);
+    s->kt = 0;
+    s->own = left(m, s->kr, s->kt);
+}
+
+int sph_ref_refract(const double dir[3], const double normal[3], double ratio, double out[3]) {
+    double cosine = -dot(dir, normal), rest = 1 - ratio * ratio * (1 - cosine * cosine);
+    if (!(rest >= 0)) return 0;
+    for (int i = 0; i < 3; i++)
+        out[i] = ratio * dir[i] + (ratio * cosine - sqrt(rest)) * normal[i];
+    return 1;
+}
+
+double sph_ref_shine(const double normal[3], const double to_light[3], const double dir[3],
+                     double shine) {
+    double cosine = dot(normal, to_light), back[3];
+    for (int i = 0; i < 3; i++)
+        back[i] = to_light[i] - 2 * cosine * normal[i]; /* mirrored light, turned round */
+    double c = dot(back, dir);
+    return c > 0 ? pow(c, shine) : 0;
 }
 
 /* Scales v to length 1; 0 if it has none. */

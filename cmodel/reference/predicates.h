@@ -7,9 +7,9 @@
  *
  *   paper      Borodavka et al. VI.A, word by word: VC.d < 0 and R^2 < |VC|^2 is a miss; then
  *              (R^2 - |VC|^2) |d|^2 + (VC.d)^2 > 0, with |d|^2 made for each sphere
- *   machine    the same sum as the machine has it (prim/leaf.h): |d|^2 once a ray, no way out early
- *   geometric  Glassner 1989, where the paper starts: d is normalised once a ray
- *   quadratic  the discriminant of |V + t d - C|^2 = R^2, b^2 - 4ac, and the sign of its roots
+ *   machine    the same sum as the machine has it (prim/sphere.h): |d|^2 once a ray, no way out
+ * early geometric  Glassner 1989, where the paper starts: d is normalised once a ray quadratic  the
+ * discriminant of |V + t d - C|^2 = R^2, b^2 - 4ac, and the sign of its roots
  */
 #ifndef SPH_PREDICATES_H
 #define SPH_PREDICATES_H

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "common/input.h"
+#include "common/file.h"
 #include "scene/aff_reader.h"
 
 int sph_aff_path(const char *from, const char *name, char *path, size_t size) {

@@ -6,7 +6,7 @@
  *                 <array dictRef="bo:elementColor">0.50 0.50 0.50</array> </atom>
  */
 #include "scene/elements.h"
-#include "common/input.h"
+#include "common/file.h"
 #include "scene/nff_lex.h"
 
 #include <errno.h>

@@ -5,7 +5,7 @@
  * `up` through the point that it looks at.
  */
 #include "common/number.h"
-#include "machine/kinds.h"
+#include "machine/records.h"
 #include "scene/affine.h"
 #include "scene/generate_kinds.h"
 #include "scene/motion.h"

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "common/input.h"
+#include "common/file.h"
 #include "scene/edit.h"
 #include "scene/pdb_frame.h"
 #include "scene/points.h"

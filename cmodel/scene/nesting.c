@@ -9,7 +9,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "machine/kinds.h"
+#include "machine/records.h"
 #include "scene/edit.h"
 #include "scene/vector.h"
 

@@ -13,7 +13,7 @@
 
 #include "common/error.h"
 #include "common/number.h"
-#include "common/progress.h"
+#include "common/parallel.h"
 
 #define SPH_LEX_TOKEN 63 /* characters of the longest token */
 

@@ -11,7 +11,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "machine/kinds.h"
+#include "machine/records.h"
 #include "scene/nesting.h"
 #include "scene/pov_image.h"
 #include "scene/pov_surface.h"

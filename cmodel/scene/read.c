@@ -4,7 +4,7 @@
 #include <stdint.h>
 #include <string.h>
 
-#include "common/input.h"
+#include "common/file.h"
 #include "scene/aff.h"
 #include "scene/import.h"
 #include "scene/nff_reader.h"

@@ -11,9 +11,9 @@
 
 #include "common/error.h"
 #include "common/ledger.h"
-#include "common/progress.h"
+#include "common/parallel.h"
 #include "machine/layout.h" /* SPH_MAX_LIGHTS */
-#include "texture/mip.h"    /* SPH_COLOURS_* */
+#include "texture/texel.h"  /* SPH_COLOURS_* */
 
 #define SPH_MAX_TEXTURES 1024
 

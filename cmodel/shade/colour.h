@@ -1,5 +1,6 @@
 /* colour.h - light, surface colour and the blend of reflection depths
  * SPDX-License-Identifier: Apache-2.0
+ *
  * RTL: rtl/shade/rt_light_add.v, rtl/shade/rt_blend.v
  */
 #ifndef SPH_COLOUR_H
@@ -8,7 +9,7 @@
 #include <stdint.h>
 
 #include "core/frame.h"
-#include "math/rsqrt.h"
+#include "math/arith.h"
 
 /* Lambert's cosine of two unit vectors (Borodavka et al. VI.C), u1.15 0..32768, 0 if facing away.
  */
@@ -52,5 +53,20 @@ void sph_blend_start(struct sph_blend *b);
 /* The colour seen at b->depth: closes the frames of this depth. last: nothing lies behind, closes
  * the deeper frames too. Otherwise moves on by one depth. */
 void sph_blend_add(struct sph_blend *b, const uint32_t colour[3], uint32_t kr, int last);
+
+/* ---- highlights: Phong's cosine and its power (RTL: rtl/shade/rt_specular.v) ---- */
+/* Formats and bounds: docs/design/shading.md. */
+
+/* R.V = L.D - 2 (N.L) (N.D), limited to 0..65536, u1.16: cosine between the mirror direction of the
+ * light and the way back along the ray. Unit vectors of the normal, to the light, of the ray. */
+uint32_t sph_specular_cosine(const struct sph_unit *normal, const struct sph_unit *to_light,
+                             const struct sph_unit *dir);
+
+/* -log2(c), u5.16, of c = 1..65536 (u1.16): by straight lines through the ends of 256 intervals, of
+ * which sph_log2_table has the upper eight bits. */
+uint32_t sph_specular_log2(uint32_t c);
+
+/* c^power, u1.15 0..32768: c u1.16 up to 1, power u8.4. 2^-(power * -log2(c)). */
+uint32_t sph_power(uint32_t c, uint32_t power);
 
 #endif

@@ -3,8 +3,7 @@
  */
 #include "shade/refract.h"
 
-#include "math/isqrt.h"
-#include "math/normalise.h"
+#include "math/arith.h"
 
 enum { INDEX_BITS = 12 };
 

@@ -1,13 +1,14 @@
 /* surface.h - from a hit to a point, a normal and a reflected direction
- * SPDX-License-Identifier: Apache-2.0              RTL: rtl/shade/rt_hit.v, rtl/shade/rt_reflect.v
+ * SPDX-License-Identifier: Apache-2.0
  */
 #ifndef SPH_SURFACE_H
 #define SPH_SURFACE_H
 
 #include <stdint.h>
 
-#include "math/rsqrt.h"
 #include "core/ray.h"
+#include "machine/machine.h"
+#include "math/arith.h"
 
 struct sph_surface {
     int64_t point[3];   /* sW, origin of secondary rays */
@@ -67,5 +68,23 @@ void sph_bounce(const struct sph_profile *p, const int64_t dir[3], const struct 
  * the facet (docs/design/shading.md). */
 void sph_mirror(const struct sph_profile *p, const int64_t dir[3], const struct sph_surface *s,
                 int64_t out[3]);
+
+/* ---- interpolated normals of triangles (RTL: rtl/shade/rt_smooth.v) ---- */
+/* Barycentric interpolation is linear in the hit point, so a record has what is linear: the normal
+ * at a point of the grid, and how it turns from there on (docs/design/shading.md). */
+
+enum {
+    SPH_SMOOTH_FRACTION = 15, /* of the interpolated normal */
+    SPH_SMOOTH_BITS = 20,     /* of a component of it: s4.15 */
+    SPH_SMOOTH_M_STEP = SPH_SMOOTH_M_XX_BITS
+};
+
+/* n + m (guarded - b * 2^NG) * 2^-e, s4.15, limited; the difference is limited to s(W+NG). */
+void sph_smooth_normal(const struct sph_profile *p, const uint32_t *record,
+                       const int64_t guarded[3], int64_t normal[3]);
+
+/* The record of a primitive's normals, NULL if it has none; of one that lies behind the end of
+ * memory too, and *outside is 1. */
+const uint32_t *sph_smooth_record(const struct sph_machine *m, const uint32_t *prim, int *outside);
 
 #endif

@@ -5,9 +5,8 @@
 
 #include <stddef.h>
 
-#include "texture/filter.h"
-#include "texture/lod.h"
 #include "texture/texel.h"
+#include "texture/lod.h"
 
 enum { WORDS_MASK = (1 << 20) - 1 };
 static const uint32_t white = 0xffffffff;

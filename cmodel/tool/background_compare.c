@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "builder/background/cones.h"
-#include "builder/background/rect_paper.h"
+#include "builder/background/outline.h"
 #include "builder/background/spans.h"
 #include "pixel/walk.h"
 #include "render/render.h"

@@ -10,7 +10,7 @@
 
 #include "../../driver/sphaera_file.h"
 #include "../../driver/sphaera_modes.h"
-#include "common/output.h"
+#include "common/file.h"
 #include "machine/machine.h"
 #include "validate/validate.h"
 

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "core/frame_file.h"
+#include "core/frame.h"
 #include "image/image.h"
 #include "tool/levels.h"
 #include "tool/print.h"

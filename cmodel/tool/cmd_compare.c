@@ -5,9 +5,9 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/frame_compare.h"
+#include "core/frame.h"
 #include "image/image.h"
-#include "common/input.h"
+#include "common/file.h"
 #include "render/render.h"
 #include "tool/print.h"
 #include "tool/report.h"

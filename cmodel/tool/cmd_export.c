@@ -3,8 +3,8 @@
  */
 #include <string.h>
 
+#include "common/file.h"
 #include "image/mips.h"
-#include "common/output.h"
 #include "machine/export.h"
 #include "scene/pov_write.h"
 #include "tool/tool.h"

@@ -7,9 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "common/input.h"
 #include "common/number.h"
-#include "common/output.h"
+#include "common/file.h"
 #include "scene/generate.h"
 #include "scene/aff.h"
 #include "scene/frustum.h"

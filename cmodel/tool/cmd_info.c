@@ -1,7 +1,7 @@
 /* cmd_info.c - `sphaera info`: what a file holds, and what became of each of its records
  * SPDX-License-Identifier: Apache-2.0
  */
-#include "common/input.h"
+#include "common/file.h"
 #include "common/kind.h"
 #include "builder/warn.h"
 #include "image/image.h"

@@ -3,7 +3,7 @@
  */
 #include <stdlib.h>
 
-#include "tool/movie.h"
+#include "tool/pictures.h"
 #include "tool/tool.h"
 
 struct arguments {

@@ -3,7 +3,7 @@
  */
 #include <stdlib.h>
 
-#include "core/frame_file.h"
+#include "core/frame.h"
 #include "image/image.h"
 #include "reference/reference.h"
 #include "tool/levels.h"

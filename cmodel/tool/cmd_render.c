@@ -8,7 +8,6 @@
 #include "validate/describe.h"
 #include "render/render.h"
 #include "tool/pictures.h"
-#include "tool/movie.h"
 #include "tool/print.h"
 #include "tool/progress.h"
 #include "tool/report.h"

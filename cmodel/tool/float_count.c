@@ -9,7 +9,7 @@
 #include "common/parallel.h"
 #include "engine/render_pixel.h"
 #include "machine/records.h"
-#include "prim/kinds.h"
+#include "prim/prim.h"
 #include "prim/sphere.h"
 #include "reference/floats.h"
 

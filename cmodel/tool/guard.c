@@ -12,7 +12,7 @@
 #include <unistd.h>
 
 #include "common/number.h"
-#include "common/output.h"
+#include "common/file.h"
 #include "common/parallel.h"
 
 static unsigned long long memory; /* bytes; 0: as many as there are */

@@ -6,8 +6,7 @@
 #include <strings.h>
 
 #include "builder/profile/choose_profile.h"
-#include "common/input.h"
-#include "common/output.h"
+#include "common/file.h"
 #include "image/mips.h"
 #include "scene/aff.h"
 #include "scene/generate.h"

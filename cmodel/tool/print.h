@@ -6,7 +6,7 @@
 
 #include <stdio.h>
 
-#include "core/frame_file.h"
+#include "core/frame.h"
 #include "tool/tool.h"
 
 /* Where a command prints: standard output, or nowhere if the JSON report goes there. May be NULL

@@ -4,7 +4,7 @@
 #ifndef SPH_TOOL_PROGRESS_H
 #define SPH_TOOL_PROGRESS_H
 
-#include "common/progress.h"
+#include "common/parallel.h"
 
 struct progress {
     const char *what;

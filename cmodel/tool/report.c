@@ -10,8 +10,8 @@
 #include "machine/camera.h"
 #include "validate/describe.h"
 #include "validate/prims.h"
-#include "machine/kinds.h"
-#include "common/output.h"
+#include "machine/records.h"
+#include "common/file.h"
 #include "tool/sequence.h"
 
 /* Of the arithmetic, bits. */

@@ -4,7 +4,7 @@
 #ifndef SPH_TOOL_REPORT_H
 #define SPH_TOOL_REPORT_H
 
-#include "core/frame_file.h"
+#include "core/frame.h"
 #include "tool/json.h"
 #include "tool/tool.h"
 

@@ -11,12 +11,12 @@
 #include <unistd.h>
 
 #include "builder/emit.h"
-#include "common/output.h"
+#include "common/file.h"
 #include "image/mips.h"
 #include "scene/motion.h"
 #include "tool/json.h"
 #include "tool/levels.h"
-#include "tool/movie.h"
+#include "tool/pictures.h"
 #include "tool/print.h"
 #include "tool/progress.h"
 #include "trial/met.h"

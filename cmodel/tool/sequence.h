@@ -31,7 +31,7 @@ int tool_each_frame(const char *path, const struct tool_source *source,
                     void *user, struct sph_error *err);
 
 /* The same for frames that `take` writes to the picture *picture, numbered: they are put into one
- * file that moves (movie.h), and into a folder beside it meanwhile. */
+ * file that moves (pictures.h), and into a folder beside it meanwhile. */
 int tool_movie_of(const char *movie, const char **picture, const char *path,
                   const struct tool_source *source, const struct tool_frames *frames, FILE *to,
                   json_t *list, tool_take *take, void *user, struct sph_error *err);

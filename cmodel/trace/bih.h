@@ -1,4 +1,4 @@
-/* bih.h - how a ray crosses the planes of a bounding interval hierarchy  RTL: rtl/trace/rt_bih.v
+/* bih.h - how a ray crosses the planes of a bounding interval hierarchy
  * SPDX-License-Identifier: Apache-2.0
  *
  * Bounds along a ray are T-words: the top SPH_BIH_T bits of a key's W+WD+2. A lower bound is never
@@ -10,6 +10,7 @@
 #include <stdint.h>
 
 #include "core/ray.h"
+#include "machine/box.h"
 
 /* Where along the ray something may lie: lo <= key/2^t_shift <= hi. */
 struct sph_interval {
@@ -50,5 +51,18 @@ uint32_t sph_bih_time(const struct sph_bih_ray *b, uint64_t key);
  * v >= 0, T is at most v a / |d| / 2^SH < up (mant + 2) / 2^shift < U, or U is no bound. */
 int sph_bih_cut(const struct sph_bih_ray *b, const struct sph_ray *ray, int axis, int64_t clip,
                 int below, struct sph_interval *span);
+
+/* ---- does a ray meet the box of a child, and from where on? (RTL: rtl/trace/rt_box.v) ---- */
+/* A box is what lies between its six planes, each of which cuts the ray as one of a BIH does
+ * (trace/bih.h), so that a box never rejects what is hit: docs/design/bih.md. Boxes are ordered by
+ * the T-word where the ray enters them, of which the first bit and the SPH_BOX_NEAR behind it are
+ * kept: a *depth*. */
+
+/* The depth of a T-word, u15: rises with it, 0 for 0. */
+int32_t sph_box_depth(uint32_t time);
+
+/* 1 if the ray meets the box no deeper than depth_max; *near is the depth where it enters. */
+int sph_box_meets(const struct sph_bih_ray *bih, const struct sph_ray *ray,
+                  const struct sph_box *box, int32_t depth_max, int32_t *near);
 
 #endif

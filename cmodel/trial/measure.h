@@ -11,7 +11,7 @@
 #define SPH_TRIAL_MEASURE_H
 
 #include "builder/build.h"
-#include "core/frame_file.h"
+#include "core/frame.h"
 #include "reference/accuracy.h"
 
 /* What a picture should be. The scene belongs to the caller and must outlive it. */

@@ -8,7 +8,6 @@
 
 #include "builder/effects/effects.h"
 #include "builder/emit.h"
-#include "machine/kinds.h"
 #include "machine/records.h"
 #include "render/render.h"
 

@@ -7,7 +7,6 @@
 #include "machine/records.h"
 #include "validate/check.h"
 #include "prim/prim.h"
-#include "machine/kinds.h"
 
 struct walk {
     const struct sph_machine *m;

@@ -20,4 +20,21 @@ int sph_validate_record(const struct sph_machine *m, uint32_t base, uint32_t i, 
 int sph_validate_tree(const struct sph_machine *m, struct sph_error *err);
 int sph_validate_bih(const struct sph_machine *m, struct sph_error *err);
 
+/* ---- the words of primitive records that refraction and Whitted's sum ask for ---- */
+
+/* Whether REFRACT goes with the profile. 0, or -1 with a message.
+ */
+int sph_validate_optics(const struct sph_machine *m, struct sph_error *err);
+
+/* Of a machine with REFRACT or SUM, whose primitive records lie in memory: shares, powers and
+ * indices of refraction are in their ranges. 0, or -1 with a message. */
+int sph_validate_materials(const struct sph_machine *m, struct sph_error *err);
+
+/* ---- the part of validation that looks at mapping records and images ---- */
+
+/* Of a machine with TEXTURE and valid primitive records: every tex is 0 or a record behind them,
+ * with a known kind and the header of an image, all of whose levels lie in memory and behind each
+ * other. 0, or -1 with a message. */
+int sph_validate_textures(const struct sph_machine *m, struct sph_error *err);
+
 #endif

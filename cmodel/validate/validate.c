@@ -8,11 +8,9 @@
 #include "validate/validate.h"
 
 #include "validate/prims.h"
-#include "validate/materials.h"
+#include "validate/check.h"
 #include "math/fx.h"
 #include "machine/parts.h"
-#include "validate/textures.h"
-#include "validate/check.h"
 
 #define RANGE(name, lo, hi)                                                                        \
     if (sph_validate_register(m, SPH_REG_##name, #name, lo, hi, err)) return -1

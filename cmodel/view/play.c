@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "common/output.h"
+#include "common/file.h"
 #include "core/frame.h"
 #include "image/image.h"
 #include "view/live.h"

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "common/input.h"
+#include "common/file.h"
 #include "common/number.h"
 #include "view/keys.h"
 #include "view/screen.h"

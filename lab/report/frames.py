@@ -1,6 +1,6 @@
 # frames.py - frame files and clocks of a run, and what pixels took
 # SPDX-License-Identifier: Apache-2.0
-"""Formats: cmodel/core/frame_file.h; --clocks of sim/core.sh."""
+"""Formats: cmodel/core/frame.h; --clocks of sim/core.sh."""
 import struct
 from array import array
 from collections import namedtuple

@@ -1,6 +1,6 @@
 # golden.py - machine files and the golden model's frames, for benches in Python
 # SPDX-License-Identifier: Apache-2.0
-"""docs/reference/machine_file.md and cmodel/core/frame_file.h draw both files."""
+"""docs/reference/machine_file.md and cmodel/core/frame.h draw both files."""
 import struct
 from pathlib import Path
 

@@ -20,7 +20,7 @@ def ppm(path):
 
 
 def frame(path):
-    """A frame file (cmodel/core/frame_file.h): its deepest layer."""
+    """A frame file (cmodel/core/frame.h): its deepest layer."""
     with open(path, "rb") as f:
         data = f.read()
     _, width, height, layers, counters, _ = struct.unpack_from("<6I", data, 8)

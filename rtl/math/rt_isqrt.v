@@ -4,7 +4,7 @@
 // the trial 4*root+1 is subtracted if it fits. Invariant: rem = x / 4^i - root^2 <= 2*root.
 // One radicand at a time: a result ceil(XW/2/STEP) + 1 clocks after its radicand. BITS not 0: the
 // digits end BITS after the first 1, and so do the clocks.
-// Model: sph_isqrt_bits() in cmodel/math/isqrt.c
+// Model: sph_isqrt_bits() in cmodel/math/arith.c
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_check.vh"

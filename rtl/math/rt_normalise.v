@@ -5,7 +5,7 @@
 //   in x y z --> [v 3x, any] --> coarse, any --> [<< 8*coarse] --> [<< fine] --> [round] --> out
 // One component at a time: x, y, z enter in three cycles, gaps allowed; the result comes 7 cycles
 // after z. The next x may enter 5 cycles after z or later.
-// Model: sph_normalise() in cmodel/math/normalise.c
+// Model: sph_normalise() in cmodel/math/arith.c
 `timescale 1ns / 1ps
 `default_nettype none
 module rt_normalise #(

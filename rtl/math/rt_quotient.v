@@ -4,7 +4,7 @@
 // division gives mant = floor(key' / a' * 2^(PQ-1)): key / a = mant * 2^-exp, truncated.
 // One quotient at a time. It takes n(z) + ceil(PQ/STEP) + 2 clocks with n = floor(z/STEP) + z%STEP,
 // that of the two operands' leading zeros z whose n is greater, and a clock more until the next
-// operands. Model: sph_quotient() in math/quotient.c
+// operands. Model: sph_quotient() in math/arith.c
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_check.vh"

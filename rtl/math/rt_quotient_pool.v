@@ -1,6 +1,6 @@
 // rt_quotient_pool.v - several dividers that look like one
 // SPDX-License-Identifier: Apache-2.0
-// UNITS iterative dividers behind rt_pool. Model: sph_quotient() in cmodel/math/quotient.c
+// UNITS iterative dividers behind rt_pool. Model: sph_quotient() in cmodel/math/arith.c
 `timescale 1ns / 1ps
 `default_nettype none
 module rt_quotient_pool #(

@@ -5,7 +5,7 @@
 // (v << h) * y in odd ones: in_ready_o is high in every second clock. L = `RT_MUL_LATENCY(BITS+1):
 //   1 operands | L products | 2 sum | 2 shift | 2 table | 2 slope | 1 y | 1 operands | L | 1 round
 // What has no vector keeps its operands, so that nothing behind them switches.
-// Free-running, latency 2*L + 12: 14 for BITS <= 17, else 18. Model: sph_unit() in math/rsqrt.c
+// Free-running, latency 2*L + 12: 14 for BITS <= 17, else 18. Model: sph_unit() in math/arith.c
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_check.vh"

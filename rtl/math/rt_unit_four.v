@@ -6,7 +6,7 @@
 //   x y z    l*l        l*2h       h*h        h(v<<h)*y, of an earlier vector
 //   fourth   l(x)*y     l(y)*y     l(z)*y     slope*frac, of one between
 // What has no vector keeps its operands, so that nothing behind them switches.
-// Free-running, latency 23. Model: sph_unit() in math/rsqrt.c
+// Free-running, latency 23. Model: sph_unit() in math/arith.c
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_check.vh"

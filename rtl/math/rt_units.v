@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The second one starts half an interval behind, so never both take, and never both give.
 // Below 18 bits they are rt_unit in any case. Latency that of rt_unit or rt_unit_four.
-// Model: sph_unit() in cmodel/math/rsqrt.c
+// Model: sph_unit() in cmodel/math/arith.c
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_check.vh"

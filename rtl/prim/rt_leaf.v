@@ -5,7 +5,7 @@
 //   arithmetic: b, k, later disc | signs | 1 rule | disc | 1 groups of disc | 1 decide
 // A leaf every INTERVAL clocks, free-running; arithmetic by rt_leaf_two or rt_leaf_four.
 // Latency up to W/WD 16/17 12 clocks for INTERVAL 2, 16 for 4; above that 15 and 20.
-// Model: sph_leaf_test() in cmodel/prim/leaf.c
+// Model: sph_leaf_test() in cmodel/prim/sphere.c
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"

@@ -7,7 +7,7 @@
 //   step, of three pieces; weight of the step, and 17 bits more behind the bar
 //     4 multipliers      b0b0 k0a0   2b0b1         2b0b2 b1b1     2b1b2
 //                      | k0a1 k1a0 | k0a2 k1a1 k2a0 | k1a2 k2a1 | b2b2 k2a2
-// Model: disc of sph_leaf_test() in cmodel/prim/leaf.c
+// Model: disc of sph_leaf_test() in cmodel/prim/sphere.c
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_check.vh"

@@ -4,7 +4,7 @@
 // Operands stay for four clocks and go through few multipliers in pieces of 17 bits:
 //   1-4 oc, dir, rad | rt_leaf_sums | b, k: T_B to T_B+3, their signs from T_B+2 on
 //                                   | rt_leaf_disc | disc
-// Model: sph_leaf_test() in cmodel/prim/leaf.c
+// Model: sph_leaf_test() in cmodel/prim/sphere.c
 `timescale 1ns / 1ps
 `default_nettype none
 module rt_leaf_four #(

@@ -6,7 +6,7 @@
 // the three components at once, rad in one of the clocks; products of equal weight are added:
 //   b  l*l      | l*h      | h*l         | h*h     operands | products | 2 sums | accumulators
 //   k  oc l*l   | oc 2*l*h | rad ll lh hh| oc h*h
-// Model: b and k of sph_leaf_test() in cmodel/prim/leaf.c
+// Model: b and k of sph_leaf_test() in cmodel/prim/sphere.c
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_check.vh"

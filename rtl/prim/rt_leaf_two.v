@@ -4,7 +4,7 @@
 // Each multiplier serves two clocks of a leaf:
 //   1,2 operands (oc,dir) (oc,oc) | L products | 2 sums: b, k | 1 operands (b,b) (k,a) | M products
 //   1 sum: disc                   L, M = `RT_MUL_LATENCY of the operands' widths
-// Model: sph_leaf_test() in cmodel/prim/leaf.c
+// Model: sph_leaf_test() in cmodel/prim/sphere.c
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_check.vh"

@@ -3,7 +3,7 @@
 // key = b - root for the near root, b + root + inexact for the far one: ceil(a*t).
 // PR not 0: of the root its first PR bits count; a far key is then at least 1.
 // UNITS iterative roots behind rt_pool.
-// Model: sph_leaf_key_bits() in cmodel/prim/leaf.c
+// Model: sph_leaf_key_bits() in cmodel/prim/sphere.c
 `timescale 1ns / 1ps
 `default_nettype none
 module rt_root_pool #(

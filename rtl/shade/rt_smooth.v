@@ -6,7 +6,7 @@
 //   surface --> queue --> fetch, with that of rt_surface --> queue --> one multiplier --> normalise
 //   operands | difference | product | sum of three | shift | shift | add, turn | normalise
 // A normal every 21 clocks, 28 clocks behind its record. One that is zero stays the facet's own.
-// Model: sph_smooth_normal() in cmodel/shade/smooth.c, sph_surface_bend() in surface.c
+// Model: sph_smooth_normal() in cmodel/shade/surface.c, sph_surface_bend() in surface.c
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"

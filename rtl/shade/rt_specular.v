@@ -5,7 +5,7 @@
 //   1..3 N.L | 4..6 N.D | 7..9 L.D | 10 NL*ND | 12 leading zeros | 13 table | 14 slope | 15 -log2
 //   16, 17 times power | 19 table | 20 slope | 21 2^-fraction | 22 shift, round
 // Latency 23 cycles, one every 24.
-// Model: sph_specular_cosine(), sph_power() in cmodel/shade/specular.c
+// Model: sph_specular_cosine(), sph_power() in cmodel/shade/colour.c
 `timescale 1ns / 1ps
 `default_nettype none
 module rt_specular #(

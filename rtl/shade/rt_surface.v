@@ -5,7 +5,7 @@
 // asked for when there is a place for it: it never keeps leaves from leaving the cache.
 // Where no light, no mirror and no texture asks for the point (points_on_i low; POINTS 0: never
 // built), a hit goes to its record at once and leaves as an unlit surface when that is there.
-// Model: sph_quotient() in cmodel/math/quotient.c, sph_surface_point() in cmodel/shade/surface.c
+// Model: sph_quotient() in cmodel/math/arith.c, sph_surface_point() in cmodel/shade/surface.c
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"

@@ -4,7 +4,7 @@
 // Two rotations of 18 steps onto the first axis, a step a clock: (z, x), then what it gave (the
 // distance from the axis, GAIN times) and GAIN * y. Words s5.22, angles in 2^-24 turns.
 //   1 load | 18 steps | 1 change | 18 steps | 1 limit, round
-// Latency 39 cycles, one at a time. Model: sph_longitude() in cmodel/texture/longitude.c
+// Latency 39 cycles, one at a time. Model: sph_longitude() in cmodel/texture/coords.c
 `timescale 1ns / 1ps
 `default_nettype none
 module rt_longitude #(

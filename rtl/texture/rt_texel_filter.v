@@ -5,7 +5,7 @@
 // A channel of a level a clock, near before far, red first, through four multipliers:
 //   0 differences in x | 1 products | 2 rows | 3 product in y | 4 level, rounded |
 //   5 product of levels | 6 rounded
-// Latency 13 cycles, a new one every 7. Model: cmodel/texture/filter.c
+// Latency 13 cycles, a new one every 7. Model: cmodel/texture/texel.c
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_fx.vh"

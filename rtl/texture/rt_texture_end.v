@@ -3,7 +3,7 @@
 // One surface a clock: those whose texels are mixed, which cannot wait, go first, then those
 // without a texture, then those whose texture has nothing to show and is white. Latency 1 to
 // albedo_o, 2 to out_valid_o, and the wait.
-// Model: sph_texture_albedo() in cmodel/texture/filter.c, called where the albedo is mixed
+// Model: sph_texture_albedo() in cmodel/texture/texel.c, called where the albedo is mixed
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"

@@ -1,7 +1,7 @@
 // rt_texture_mix.v - texels in, filtered and multiplied colour of a surface out
 // SPDX-License-Identifier: Apache-2.0
 // Texels come in any order; when a surface has all of its own, they are filtered.
-// Model: filtered() in cmodel/texture/lookup.c, sph_texture_albedo() in cmodel/texture/filter.c
+// Model: filtered() in cmodel/texture/lookup.c, sph_texture_albedo() in cmodel/texture/texel.c
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"

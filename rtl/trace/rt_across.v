@@ -6,7 +6,7 @@
 //   u_m | u_m^2 | table | slope | r | u_b*r, u_a*r | p | u_m*p, u*p | q
 // A ray every second clock at most. What has no ray keeps its operands, so that nothing behind them
 // switches. Latency 14 or 15.
-// Model: sph_across() in cmodel/trace/across.c
+// Model: sph_across() in cmodel/trace/setup.c
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"

@@ -4,7 +4,7 @@
 // the last plane that it enters by to the first that it leaves by.
 //   5 rt_bih_step | 6 two axes | 7 the third | 8 is anything left; depth | 9 against the limit
 // Latency 9, a box a clock.
-// Model: sph_box_meets() in cmodel/trace/box.c
+// Model: sph_box_meets() in cmodel/trace/bih.c
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"

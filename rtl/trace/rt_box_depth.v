@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //   n = max(0, length(time) - 12)      depth = n * 2^11 + (time >> n)
 // Combinational.
-// Model: sph_box_depth() in cmodel/trace/box.c
+// Model: sph_box_depth() in cmodel/trace/bih.c
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"

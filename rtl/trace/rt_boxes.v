@@ -3,7 +3,7 @@
 // Stands in rt_traverse where rt_filter stands for spheres (BOXES of rt_core).
 //   1 node beside its ray | 2 planes on the grid | 3..11 four times rt_box
 // `RT_BOXES_LATENCY clocks from node to result, a node a clock.
-// Model: sph_box_read() in cmodel/machine/box.c, sph_box_meets() in cmodel/trace/box.c
+// Model: sph_box_read() in cmodel/machine/box.c, sph_box_meets() in cmodel/trace/bih.c
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Position of a child = number of hit children before it: six comparisons, no exchange.
 // Latency 2 cycles, one node a cycle.
-// Model: insert() in cmodel/trace/visit.c
+// Model: insert() in cmodel/trace/traverse.c
 `timescale 1ns / 1ps
 `default_nettype none
 module rt_sort (

@@ -6,7 +6,7 @@
 // A ray's first token waits START clocks, so that its axes across are there before a node is.
 // With BOXES children are in boxes: rt_boxes, `RT_BOXES_LATENCY.
 // Behind the cache nothing waits: a node a clock.
-// Borodavka et al. IV. Model: sph_visit() in cmodel/trace/visit.c
+// Borodavka et al. IV. Model: sph_visit() in cmodel/trace/traverse.c
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_latency.vh"

@@ -8,7 +8,6 @@ extern "C" {
 #include "common/error.h"
 #include "common/number.h"
 #include "core/frame.h"
-#include "core/frame_file.h"
 #include "core/stages.h"
 
 #include "machine/machine.h"

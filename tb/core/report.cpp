@@ -12,7 +12,7 @@
 #include "dram.h"
 
 extern "C" {
-#include "common/output.h"
+#include "common/file.h"
 }
 
 namespace {

@@ -13,7 +13,7 @@
 #include <cinttypes>
 #include <cstdio>
 
-#include "common/output.h"
+#include "common/file.h"
 
 const char *const simulator_name = "netlist";
 

@@ -11,7 +11,7 @@
 #include "bench.h"
 
 extern "C" {
-#include "texture/mip.h"
+#include "texture/texel.h"
 }
 
 namespace world {

@@ -7,7 +7,7 @@
 #include "bench.h"
 #include "hard.h"
 extern "C" {
-#include "math/isqrt.h"
+#include "math/arith.h"
 }
 
 namespace {

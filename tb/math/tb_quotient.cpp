@@ -7,7 +7,7 @@
 #include "bench.h"
 #include "hard.h"
 extern "C" {
-#include "math/quotient.h"
+#include "math/arith.h"
 }
 
 namespace {

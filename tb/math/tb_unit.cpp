@@ -15,7 +15,7 @@ using Unit = Vrt_unit;
 #define FOUR 0
 #endif
 extern "C" {
-#include "math/rsqrt.h"
+#include "math/arith.h"
 }
 
 namespace {

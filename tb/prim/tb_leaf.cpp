@@ -12,7 +12,7 @@
 #include "bench.h"
 #include "hard.h"
 extern "C" {
-#include "prim/leaf.h"
+#include "prim/sphere.h"
 }
 
 #ifndef INTERVAL

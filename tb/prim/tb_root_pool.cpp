@@ -11,8 +11,8 @@
 #include "hard.h"
 
 extern "C" {
-#include "math/isqrt.h"
-#include "prim/leaf.h"
+#include "math/arith.h"
+#include "prim/sphere.h"
 }
 
 using bench::i128;

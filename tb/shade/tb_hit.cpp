@@ -12,7 +12,7 @@
 #include "hard.h"
 
 extern "C" {
-#include "math/quotient.h"
+#include "math/arith.h"
 #include "prim/facet.h"
 #include "prim/sphere.h"
 }

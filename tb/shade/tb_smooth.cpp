@@ -10,7 +10,6 @@
 
 extern "C" {
 #include "machine/layout.h"
-#include "shade/smooth.h"
 #include "shade/surface.h"
 }
 

@@ -5,7 +5,7 @@
 #include "bench.h"
 
 extern "C" {
-#include "shade/specular.h"
+#include "shade/colour.h"
 }
 
 namespace {

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 extern "C" {
-#include "texture/longitude.h"
+#include "texture/coords.h"
 }
 
 namespace {

@@ -7,7 +7,7 @@
 #include "bench.h"
 #include "hard_cases.h"
 extern "C" {
-#include "texture/filter.h"
+#include "texture/texel.h"
 }
 
 namespace {

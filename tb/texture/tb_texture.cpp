@@ -20,10 +20,9 @@
 #include "texture_memory.h"
 
 extern "C" {
-#include "texture/filter.h"
+#include "texture/texel.h"
 #include "texture/lod.h"
 #include "texture/lookup.h"
-#include "texture/texel.h"
 }
 
 using bench::i128;

@@ -18,8 +18,8 @@ using Dut = Vrt_across;
 
 extern "C" {
 #include "machine/layout.h"
-#include "math/rsqrt.h"
-#include "trace/across.h"
+#include "math/arith.h"
+#include "trace/setup.h"
 }
 
 namespace {

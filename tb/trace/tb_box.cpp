@@ -11,7 +11,7 @@
 #include "bench.h"
 extern "C" {
 #include "machine/layout.h"
-#include "trace/box.h"
+#include "trace/bih.h"
 }
 
 namespace {

@@ -16,9 +16,8 @@ extern "C" {
 #include "builder/grid/bound.h"
 #include "machine/layout.h"
 #include "trace/filter.h"
-#include "prim/leaf.h"
+#include "prim/sphere.h"
 #include "core/ray.h"
-#include "trace/across.h"
 #include "trace/setup.h"
 }
 

@@ -7,7 +7,7 @@
 #include "bench.h"
 
 extern "C" {
-#include "trace/visit.h"
+#include "trace/traverse.h"
 }
 
 namespace {

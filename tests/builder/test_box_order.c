@@ -3,7 +3,7 @@
  *
  * Run from the root of the repository: reads scenes/.
  */
-#include "builder/tree/box_order.h"
+#include "builder/tree/box.h"
 
 #include "core/frame.h"
 #include "model_scene.h"

@@ -3,7 +3,7 @@
  */
 #include "textured.h"
 
-#include "builder/texture/spread.h"
+#include "builder/texture/texture.h"
 #include "scene/texture_base.h"
 #include "validate/validate.h"
 

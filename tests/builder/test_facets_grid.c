@@ -5,7 +5,7 @@
  */
 #include "facets_scene.h"
 
-#include "prim/triangle.h"
+#include "prim/facet.h"
 
 /* Cross products at the limits of 24 bits. */
 static void test_normals(void **unused) {

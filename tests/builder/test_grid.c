@@ -6,7 +6,7 @@
 #include <math.h>
 
 #include "builder/grid/grid.h"
-#include "builder/grid/huge_sphere_bounds.h"
+#include "builder/grid/huge_bounds.h"
 
 /* A box of some size about a point. */
 static struct sph_box some_box(const double at[3], double size) {

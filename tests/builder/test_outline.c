@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "builder/background/cones.h"
-#include "builder/background/rect_paper.h"
+#include "builder/background/outline.h"
 #include "builder/background/spans.h"
 
 enum { SIDE = 64, MARGIN = 4, WIDE = SIDE + 2 * MARGIN };

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "builder/tree/better.h"
+#include "builder/tree/split.h"
 #include "common/parallel.h"
 
 #ifdef __SANITIZE_ADDRESS__

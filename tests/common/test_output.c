@@ -1,4 +1,4 @@
-/* test_output.c - outputs are whole, whoever else writes the same one; see common/output.h
+/* test_output.c - outputs are whole, whoever else writes the same one; see common/file.h
  * SPDX-License-Identifier: Apache-2.0
  */
 #include <setjmp.h>
@@ -16,7 +16,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "common/output.h"
+#include "common/file.h"
 
 enum { TIMES = 400, SIZE = 20000 };
 static char folder[64], path[80];

@@ -6,7 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "core/frame_compare.h"
+#include "core/frame.h"
 
 enum { W = 5, H = 3, N = W * H, PIXEL = 4 * SPH_FRAMES + 20, HEAD = 32 + 8 * SPH_COUNTERS };
 

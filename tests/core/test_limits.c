@@ -10,12 +10,11 @@
 #include "engine/render_pixel.h"
 #include "pixel/background.h"
 #include "shade/colour.h"
-#include "shade/specular.h"
 #include "shade/material.h"
 #include "shade/surface.h"
 #include "texture/lod.h"
 #include "trace/filter.h"
-#include "prim/leaf.h"
+#include "prim/sphere.h"
 #include "trace/setup.h"
 
 /* The far key is b + root, rounded up, and at least 1: eight bits of a root of ten are up to three

@@ -12,7 +12,7 @@ record() {
     cat >"$list" <<'END'
 fault a-tangent
 rule  a tangent is a miss
-model prim/leaf.c
+model prim/sphere.c
 from  ahead = r.disc > 0
 to    ahead = r.disc >= 0
 by    hard 1
@@ -43,7 +43,7 @@ told "an edit that nobody can notice" '^not ok 2 - fault a-tangent .* survives h
 told "a judge that does not meet it" '^not ok 2 - fault a-tangent .* survives hard 29$' \
     by 'by hard 29'
 told "an edit that does not compile" \
-    '^not ok 2 - fault a-tangent .*: no verdict of hard 1: cmodel/prim/leaf.c does not compile' \
+    '^not ok 2 - fault a-tangent .*: no verdict of hard 1: cmodel/prim/sphere.c does not compile' \
     to 'to ahead = r.disk >= 0'
 told "a crash" '^not ok 2 - fault a-tangent .*: no verdict of hard 1: ends with -' \
     to 'to ahead = *(volatile int *)0'
@@ -58,10 +58,10 @@ told "RTL that aborts its simulator" \
 
 # ---- lists that are wrong ----
 told "a text that is not there" \
-    '^.*list.txt:3: from: stands 0 times in cmodel/prim/leaf.c, not once: ahead = none$' \
+    '^.*list.txt:3: from: stands 0 times in cmodel/prim/sphere.c, not once: ahead = none$' \
     from 'from ahead = none'
 told "a text that stands there often" 'list.txt:3: from: stands [0-9]* times in' from 'from r'
-told "an edit of nothing" 'list.txt:3: to: is what stands in cmodel/prim/leaf.c already' \
+told "an edit of nothing" 'list.txt:3: to: is what stands in cmodel/prim/sphere.c already' \
     to 'to ahead = r.disc > 0'
 told "a file that is none" 'list.txt:3: model: there is no cmodel/prim/laef.c; .*leaf.c is' \
     model 'model prim/laef.c'

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/frame_file.h"
+#include "core/frame.h"
 #include "fuzz.h"
 #include "machine/format.h"
 

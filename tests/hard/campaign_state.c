@@ -14,7 +14,7 @@
 
 #include "campaign.h"
 #include "common/number.h"
-#include "common/output.h"
+#include "common/file.h"
 
 static const char plan_format[] =
     "plan %" PRIu64 " %" PRIu64 " %" PRIu64 " %" PRIu64 " %d %d %d %" PRIu64;

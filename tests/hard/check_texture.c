@@ -9,10 +9,8 @@
 
 #include "check.h"
 #include "texture/coords.h"
-#include "texture/filter.h"
-#include "texture/lod.h"
-#include "texture/longitude.h"
 #include "texture/texel.h"
+#include "texture/lod.h"
 
 static int64_t floor_of(int64_t x, int64_t by) {
     return x / by - (x % by < 0);

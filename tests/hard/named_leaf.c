@@ -3,7 +3,7 @@
  */
 #include <string.h>
 
-#include "math/isqrt.h"
+#include "math/arith.h"
 #include "named.h"
 #include "shade/surface.h"
 #include "trace/setup.h"

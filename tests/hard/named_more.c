@@ -4,10 +4,9 @@
 #include <stdlib.h>
 
 #include "facet.h"
-#include "texture/filter.h"
-#include "texture/lod.h"
-#include "texture/longitude.h"
 #include "texture/texel.h"
+#include "texture/lod.h"
+#include "texture/coords.h"
 
 void named_planes_equal(struct named *n) {
     int64_t k = n->half / 2, m = n->most;

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "builder/grid/bound.h"
-#include "math/isqrt.h"
+#include "math/arith.h"
 #include "named.h"
 #include "surface.h"
 #include "trace/filter.h"

@@ -7,7 +7,7 @@
 #define HARD_SURFACE_H
 
 #include "hard.h"
-#include "math/quotient.h"
+#include "math/arith.h"
 #include "shade/surface.h"
 
 /* 1 if mant * 2^-exp is key / a rounded down as docs/reference/machine_file.md says. */

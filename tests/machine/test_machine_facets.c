@@ -8,7 +8,7 @@
 #include <unistd.h>
 
 #include "validate/prims.h"
-#include "prim/triangle.h"
+#include "prim/facet.h"
 #include "trace/leaf_unit.h"
 #include "trace/setup.h"
 #include "validate/validate.h"

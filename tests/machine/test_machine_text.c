@@ -6,7 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "common/output.h"
+#include "common/file.h"
 #include "machine/bih_stats.h"
 #include "validate/describe.h"
 #include "machine/export.h"

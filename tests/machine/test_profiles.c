@@ -5,9 +5,9 @@
  */
 #include "model_scene.h"
 
-#include "math/isqrt.h"
+#include "math/arith.h"
 #include "scene/rng.h"
-#include "prim/leaf.h"
+#include "prim/sphere.h"
 #include "validate/validate.h"
 
 /* Widths w wd pr pq ng fw of a text, and the name they are known by. */

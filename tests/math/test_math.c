@@ -8,10 +8,7 @@
 #include <gmp.h>
 #include <math.h>
 
-#include "math/isqrt.h"
-#include "math/normalise.h"
-#include "math/quotient.h"
-#include "math/rsqrt.h"
+#include "math/arith.h"
 #include "math/rsqrt_table.h"
 #include "naive/math.h"
 

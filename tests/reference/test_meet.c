@@ -9,7 +9,7 @@
 
 #include <math.h>
 
-#include "reference/exact.h"
+#include "reference/facet.h"
 #include "reference/meet.h"
 #include "reference/tree.h"
 #include "scene/rng.h"

@@ -9,7 +9,7 @@
 #include <math.h>
 
 #include "reference/reference.h"
-#include "reference/whitted.h"
+#include "reference/follow.h"
 
 enum { W = 120, H = 90, DEPTH = 4 };
 

@@ -10,11 +10,10 @@
 #include <gmp.h>
 
 #include "render/render.h"
-#include "math/quotient.h"
+#include "math/arith.h"
 #include "pixel/walk.h"
 #include "prim/facet.h"
-#include "prim/kinds.h"
-#include "prim/triangle.h"
+#include "prim/prim.h"
 #include "scene/generate.h"
 #include "trace/traverse.h"
 #include "trace/setup.h"

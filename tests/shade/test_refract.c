@@ -9,7 +9,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "math/isqrt.h"
+#include "math/arith.h"
 #include "naive/optics.h"
 #include "shade/refract.h"
 #include "trace/setup.h"

@@ -9,7 +9,6 @@
 #include "builder/smooth.h"
 #include "render/render.h"
 #include "naive/naive.h"
-#include "shade/smooth.h"
 #include "shade/surface.h"
 #include "validate/validate.h"
 

@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include "shade/colour.h"
-#include "shade/specular.h"
 #include "shade/material.h"
 
 static void log2_every_input(void **state) {

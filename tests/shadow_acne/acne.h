@@ -6,8 +6,7 @@
 
 #include "builder/build.h"
 #include "prim/facet.h"
-#include "prim/kinds.h"
-#include "prim/triangle.h"
+#include "prim/prim.h"
 #include "trace/traverse.h"
 
 /* Where a ray to a light starts: at the nearest point of the grid; at the next one outwards; there

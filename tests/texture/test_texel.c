@@ -7,10 +7,9 @@
 #include <string.h>
 
 #include "memory/cache.h"
-#include "texture/filter.h"
+#include "texture/texel.h"
 #include "texture/lookup.h"
 #include "texture/order.h"
-#include "texture/texel.h"
 
 static int modulo(int64_t x, int64_t n) {
     return (int)((x % n + n) % n);

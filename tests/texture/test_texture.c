@@ -9,7 +9,6 @@
 #include "machine/machine.h"
 #include "texture/coords.h"
 #include "texture/lod.h"
-#include "texture/longitude.h"
 #include "trace/setup.h"
 
 /* Every x of 32 bits: between two neighbours of `step` bits below the top one nothing changes but

@@ -10,7 +10,6 @@
 #include <string.h>
 
 #include "trace/filter.h"
-#include "trace/across.h"
 #include "trace/setup.h"
 
 enum { MARGINS = 3 };

@@ -10,10 +10,9 @@
 
 #include "builder/tree/tree.h"
 #include "machine/machine.h"
-#include "trace/box.h"
+#include "trace/bih.h"
 #include "trace/filter.h"
 #include "trace/traverse.h"
-#include "trace/visit.h"
 #include "trace/setup.h"
 
 enum { LINES = 6, BAD = 1 << SPH_ERROR_BAD_NODE };

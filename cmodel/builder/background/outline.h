@@ -8,9 +8,9 @@
 #ifndef SPH_OUTLINE_H
 #define SPH_OUTLINE_H
 
+#include "builder/background/work.h"
 #include "builder/grid/bound.h"
 #include "builder/grid/grid.h"
-#include "builder/background/work.h"
 #include "common/error.h"
 
 /* The pixels x0 <= x < x1 of a row; none if x1 <= x0. */
@@ -59,5 +59,15 @@ int sph_outline_border(struct sph_outline *o, int n, struct sph_error *err);
 
 /* Row y of the frame, 0 <= y < height; {0, 0} if it has no pixel. */
 struct sph_span sph_outline_row(const struct sph_outline *o, int y);
+
+/* ---- the paper's fast method taken at its word (Borodavka et al. V.C); loses pixels ---- */
+/* Only for comparison: no machine is built with it. rect.h is the safe one. */
+
+/* The rectangle of the four points C +- 1.4 R along x and y as rows of a frame: rows[0..height-1].
+ * point[4]: the points in pixels, not limited to the frame. Returns 0 if the centre is not in
+ * front of the eye, so that the method has no answer: then every pixel is in. */
+int sph_rect_paper(const struct sph_ball *root, const int32_t eye[3], const struct sph_rays *rays,
+                   int width, int height, struct sph_span *rows, double point[4][2],
+                   struct sph_work *work);
 
 #endif

@@ -4,7 +4,7 @@
 #include "builder/effects/effects.h"
 #include "builder/emit.h"
 #include "builder/smooth.h"
-#include "machine/kinds.h"
+#include "machine/records.h"
 
 #define WHY(entry, ...) sph_note((entry)->why, sizeof(entry)->why, __VA_ARGS__)
 

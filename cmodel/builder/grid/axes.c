@@ -8,8 +8,8 @@
 
 #include "builder/build.h"
 #include "builder/tree/choose_tree.h"
-#include "builder/grid/huge_sphere_bounds.h"
-#include "machine/kinds.h"
+#include "builder/grid/huge_bounds.h"
+#include "machine/records.h"
 #include "scene/vector.h"
 
 const double sph_scene_axes[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};

@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "builder/prim/build.h"
-#include "machine/kinds.h"
+#include "machine/records.h"
 #include "machine/layout.h"
 #include "prim/prim.h"
 #include "scene/prim.h"

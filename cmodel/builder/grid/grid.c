@@ -7,13 +7,12 @@
 #include <math.h>
 #include <string.h>
 
-#include "builder/grid/plane_bounds.h"
-#include "builder/grid/huge_sphere_bounds.h"
+#include "builder/grid/huge_bounds.h"
 #include "builder/grid/light.h"
 #include "prim/prim.h"
 #include "scene/prim.h"
 #include "scene/vector.h"
-#include "machine/kinds.h"
+#include "machine/records.h"
 
 enum {
     FAR = 4,   /* times finer: then the grid is made without the lights */

@@ -18,7 +18,7 @@ struct sph_grid {
     double rotation[9]; /* rows: those of the grid */
     double origin[3];   /* coordinates of grid point 0 along them */
     struct sph_eye seen_from;
-    uint32_t huge;  /* sphere that is not all on it (huge_sphere_bounds.h); n_spheres: none */
+    uint32_t huge;  /* sphere that is not all on it (huge_bounds.h); n_spheres: none */
     int32_t eye[3]; /* grid units, exact */
     int log2;       /* a grid unit is 2^log2 scene units */
     double step;    /* 2^log2 */

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "builder/prim/facet.h"
-#include "prim/triangle.h"
+#include "prim/facet.h"
 
 /* A ball around three points: the smallest, up to the rounding of its centre. */
 static struct sph_ball triangle_ball(const int32_t (*v)[3]) {

@@ -11,7 +11,7 @@
 #include "builder/texture/keep.h"
 #include "machine/machine.h"
 #include "scene/scene.h"
-#include "texture/mip.h"
+#include "texture/texel.h"
 
 /* What all records of a machine share. */
 struct sph_texture_job {

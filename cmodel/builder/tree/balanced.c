@@ -9,9 +9,7 @@
 #include <string.h>
 #include <stdlib.h>
 
-#include "builder/tree/better.h"
-#include "builder/tree/rotate.h"
-#include "builder/tree/seen.h"
+#include "builder/tree/split.h"
 #include "common/parallel.h"
 #include "machine/layout.h"
 

@@ -1,14 +1,13 @@
-/* better.c - see better.h
+/* better.c - see split.h
  * SPDX-License-Identifier: Apache-2.0
  */
-#include "builder/tree/better.h"
+#include "builder/tree/split.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "builder/tree/links.h"
-#include "builder/tree/reinsert.h"
 #include "common/parallel.h"
 
 /* Trees from the leaves upwards: Walter, Bala, Kulkarni, Pingali: Fast Agglomerative Clustering for

@@ -8,7 +8,7 @@
 #define SPH_BUILD_BIH_H
 
 #include "builder/grid/facets.h"
-#include "common/progress.h"
+#include "common/parallel.h"
 #include "machine/bih_stats.h"
 
 /* How a node is cut: `listing` does what Listings 3.3 and 3.4 say and no more. `full` has what the

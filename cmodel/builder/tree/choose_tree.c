@@ -5,7 +5,7 @@
 
 #include <stdio.h>
 
-#include "machine/kinds.h"
+#include "machine/records.h"
 
 static uint32_t triangles_of(const struct sph_scene *scene) {
     uint32_t triangles = 0;

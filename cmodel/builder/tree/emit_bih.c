@@ -12,7 +12,6 @@
 #include "builder/emit.h"
 #include "machine/records.h"
 #include "builder/prim/build.h"
-#include "machine/kinds.h"
 
 /* What the memory is made of. */
 struct content {

@@ -11,7 +11,7 @@
 #include "builder/tree/box.h"
 #include "builder/tree/split.h"
 #include "builder/prim/build.h"
-#include "machine/kinds.h"
+#include "machine/records.h"
 
 static int loose(const struct sph_plants *p, uint32_t id) {
     struct sph_grid_prim prim = sph_grid_prim_of(p->balls, p->n_spheres, p->facets, id);

@@ -1,4 +1,4 @@
-/* reinsert.c - see reinsert.h
+/* reinsert.c - see links.h
  * SPDX-License-Identifier: Apache-2.0
  *
  * Meister, Bittner: Parallel Reinsertion for Bounding Volume Hierarchy Optimization (2018), with
@@ -7,7 +7,7 @@
  * save most first, unless one before touched the same nodes. In the next round those look again
  * that wanted to move or were touched.
  */
-#include "builder/tree/reinsert.h"
+#include "builder/tree/links.h"
 
 #include "builder/tree/radix.h"
 #include "common/parallel.h"

@@ -1,4 +1,4 @@
-/* rotate.c - see rotate.h
+/* rotate.c - see split.h
  * SPDX-License-Identifier: Apache-2.0
  *
  * Kensler: Tree Rotations for Improving Bounding Volume Hierarchies (2008), where a node costs what
@@ -7,7 +7,7 @@
  * gone through from the root down, each node with the rays that meet it, so that nobody looks where
  * no ray comes; and again, until that saves little.
  */
-#include "builder/tree/rotate.h"
+#include "builder/tree/split.h"
 
 #include <stdlib.h>
 

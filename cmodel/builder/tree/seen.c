@@ -1,11 +1,11 @@
-/* seen.c - see seen.h
+/* seen.c - see split.h
  * SPDX-License-Identifier: Apache-2.0
  *
  * Every ray goes through the binary tree as far as its own hit, and each pair counts those that
  * meet it. To the counts a sixteenth of what the areas would say is added, so that pairs which no
  * ray met have an order.
  */
-#include "builder/tree/seen.h"
+#include "builder/tree/split.h"
 
 #include <stdlib.h>
 

@@ -5,6 +5,7 @@
 #define SPH_TREE_SPLIT_H
 
 #include "builder/tree/tree.h"
+#include "builder/tree/visibility_samples.h"
 
 #define SPH_PAIR_LEAF 0x80000000u /* a binary child that is one sphere */
 
@@ -53,5 +54,36 @@ void sph_pair_fill(const struct sph_pair *pairs, struct sph_pair *p, float area)
 
 /* What the radius of a node in memory may be more than that of its ball, grid units. */
 double sph_pair_margin(const struct sph_profile *profile);
+
+/* ---- a binary tree with fewer visits than its splits have ---- */
+
+enum { SPH_TREE_FEW = 8192 }; /* spheres of a tree that time is taken for */
+
+/* Improves a split of n >= 2 spheres by reinsertion. Up to 8192 spheres it is the cheapest of the
+ * splits, of the splits with reinsertion, and of two trees made from the leaves upwards, with
+ * reinsertion too; with boxes it is the splits with reinsertion. The tree does not depend on the
+ * number of threads. progress: of this, or NULL. -1 if memory is out. */
+int sph_split_better(const struct sph_ball *balls, const struct sph_aabb *boxes, uint32_t n,
+                     const struct sph_profile *profile, const struct sph_progress *progress,
+                     struct sph_split *split, struct sph_error *err);
+
+/* ---- a binary tree of boxes whose nodes change places by the rays that meet them ---- */
+
+/* Rotates nodes of a split of n >= 2 boxes where fewer rays meet them then, and fills the costs by
+ * areas; leaves the split as it is if it would need more than `most` levels of nodes. unseen: see
+ * seen.h. Does not depend on the number of threads. -1 if memory is out. */
+int sph_split_rotate(const struct sph_ball *balls, const struct sph_aabb *boxes,
+                     const struct sph_visibility_samples *samples, float unseen, int most,
+                     struct sph_split *split, struct sph_error *err);
+
+/* ---- what a binary tree costs as nodes of four, by rays of the frame ---- */
+
+#define SPH_UNSEEN 0.0625f /* what areas count for beside rays */
+
+/* sph_split_fill() of a tree where a pair is met by as many rays as are in sight. Does not depend
+ * on the number of threads. -1 if memory is out. */
+int sph_split_seen(const struct sph_ball *balls, const struct sph_aabb *boxes,
+                   const struct sph_profile *profile, const struct sph_visibility_samples *samples,
+                   struct sph_split *split, struct sph_error *err);
 
 #endif

@@ -10,7 +10,7 @@
 
 #include "builder/tree/refit.h"
 #include "builder/prim/build.h"
-#include "machine/kinds.h"
+#include "machine/records.h"
 
 struct work {
     const struct sph_plants *plants;

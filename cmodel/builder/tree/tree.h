@@ -7,7 +7,7 @@
 #include "builder/tree/bih.h"
 #include "builder/grid/facets.h"
 #include "common/error.h"
-#include "common/progress.h"
+#include "common/parallel.h"
 
 enum { SPH_CHILDREN = 4 }; /* of a node */
 
@@ -58,7 +58,7 @@ int sph_tree_paper(const struct sph_ball *balls, uint32_t n, const struct sph_pr
 
 /* Surface-area heuristic, collapsed to four children at least cost; at most SPH_STACK_DEPTH
  * levels of nodes. `eye` orders siblings near first. kind: SPH_TREE_REINSERTED: with the pairs that
- * better.h makes of them, unless that is too deep. boxes: around each, where nodes are boxes,
+ * split.h makes of them, unless that is too deep. boxes: around each, where nodes are boxes,
  * which are reinserted too; else NULL. -1 if memory is out. */
 int sph_tree_balanced(const struct sph_ball *balls, const struct sph_aabb *boxes, uint32_t n,
                       const struct sph_profile *profile, const int32_t eye[3], int kind,

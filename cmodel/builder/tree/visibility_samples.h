@@ -7,7 +7,7 @@
 #include "common/error.h"
 #include "core/ray_log.h"
 #include "machine/machine.h"
-#include "trace/box.h"
+#include "trace/bih.h"
 #include "trace/filter.h"
 
 struct sph_visibility_sample { /* a ray on its way to what it hit */

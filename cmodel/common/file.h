@@ -1,11 +1,8 @@
-/* output.h - files that are written whole or not at all
+/* file.h - files that are read: regular ones; files that are written: whole or not at all
  * SPDX-License-Identifier: Apache-2.0
- *
- * A file is written under a temporary name in the folder of its final one and renamed at the end.
- * A device or a pipe, which has no final name to be renamed to, is written directly.
  */
-#ifndef SPH_OUTPUT_H
-#define SPH_OUTPUT_H
+#ifndef SPH_COMMON_FILE_H
+#define SPH_COMMON_FILE_H
 
 #include <stdio.h>
 
@@ -14,6 +11,21 @@ extern "C" {
 #endif
 
 #include "common/error.h"
+
+/* ---- files that are read: regular ones, of a size that their reader can bear ---- */
+
+#define SPH_INPUT_ANY (1ll << 62) /* bytes: the reader keeps no more than it can use */
+
+/* Opens the regular file at path, of at most `most` bytes, for reading. NULL with "path: message":
+ * missing, no permission, a folder, a device, a pipe, a socket, too large. Never waits. */
+FILE *sph_input_open(const char *path, long long most, struct sph_error *err);
+
+/* Whether the file at path starts with these n bytes, at most 16; 0 if it cannot be opened. */
+int sph_input_starts(const char *path, const char *bytes, size_t n);
+
+/* ---- files that are written whole or not at all ---- */
+/* A file is written under a temporary name in the folder of its final one and renamed at the end.
+ * A device or a pipe, which has no final name to be renamed to, is written directly. */
 
 struct sph_output {
     FILE *file;
