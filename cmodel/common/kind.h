@@ -7,7 +7,7 @@
 #include "common/error.h"
 
 enum sph_file_kind {
-    SPH_FILE_OTHER, /* told by sph_file_looks() */
+    SPH_FILE_OTHER, /* none that is read */
     SPH_FILE_MACHINE,
     SPH_FILE_NFF, /* also what is not known for anything else, but text */
     SPH_FILE_AFF,

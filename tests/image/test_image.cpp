@@ -151,7 +151,8 @@ void colours() {
         std::printf("# gamma %g: %08x\n", static_cast<double>(g.gamma), texel);
         check(good && (texel & 255) == g.light, "a PNG's own gamma");
     }
-    /* OpenImageIO's writer divides by alpha in linear light, so that 200, 100, 50 are in the file */
+    /* OpenImageIO's writer divides by alpha in linear light, so that 200, 100, 50 are in the file
+     */
     const float half[4] = {147 / 255.0f, 71 / 255.0f, 34 / 255.0f, 128 / 255.0f};
     bool good = write("half.webp", 16, 16, 4, u8, [&](int, int, int c) { return half[c]; });
     std::uint32_t texel = first("half.webp");

@@ -130,8 +130,9 @@ bent=$(($(wc -l <a.nff) + 1))
 "$s" build patch.nff --skip-unsupported -o patch.sph >patch.txt 2>&1
 check "a polygon that is not flat is cut in two and not left out" has "10 spheres, 2 triangles" \
     patch.txt
-check "... with a warning" has "patch.nff:$bent: used otherwise: polygon that is not flat" patch.txt
-check "... and the patch is told" has "patch.nff:$((bent + 5)): left out: record that is not" patch.txt
+check "... with a warning" has "patch.nff:$bent: used otherwise: polygon that is not" patch.txt
+check "... and the patch is told" \
+    has "patch.nff:$((bent + 5)): left out: record that is not" patch.txt
 fails 1 "--strict" "$s" build patch.nff --skip-unsupported --strict -o x.sph
 check "... names file and line" has "patch.nff:$bent: used otherwise: polygon" "$TMP/err"
 fails 1 "a patch without --skip-unsupported" "$s" build patch.nff -o x.sph
