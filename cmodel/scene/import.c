@@ -11,6 +11,7 @@
 #include "scene/edit.h"
 #include "scene/pdb_frame.h"
 #include "scene/points.h"
+#include "scene/vector.h"
 
 int sph_importable(enum sph_file_kind kind) {
     return kind == SPH_FILE_PDB || kind == SPH_FILE_CIF || kind == SPH_FILE_XYZ ||
@@ -66,6 +67,10 @@ int sph_import(const char *path, enum sph_file_kind kind, const struct sph_impor
     if (!bad) {
         sph_scene_frame(scene);
         bad = sph_camera_check(&scene->camera, path, err);
+        for (int l = 0; l < scene->n_lights && !bad; l++)
+            if (!sph_vec_small(scene->camera.from) || !sph_vec_small(scene->lights[l].pos))
+                bad = sph_fail(err, "%s: camera: what the file has is too large to be looked at",
+                               path);
     }
     if (bad) sph_scene_free(scene);
     return bad ? -1 : 0;
