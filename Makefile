@@ -146,10 +146,9 @@ all: tool ## everything that is built without simulators
 tool: $(TOOL) ## the command-line tool build/sphaera
 
 include make/objects.mk make/sim.mk make/bench.mk make/lab.mk make/lint.mk \
-        make/synth.mk make/package.mk make/install.mk make/test.mk make/image.mk \
-        make/hard.mk make/formal.mk make/top.mk make/report.mk make/board.mk \
-        make/jobs.mk make/litex.mk make/view.mk make/film.mk make/host.mk make/mutants.mk \
-        make/fuzz.mk make/neon.mk
+        make/synth.mk make/ip.mk make/install.mk make/test.mk make/hard.mk make/formal.mk \
+        make/top.mk make/board.mk make/view.mk make/host.mk make/mutants.mk make/fuzz.mk \
+        make/neon.mk
 
 # Checked here, since make/objects.mk may make a target of any goal.
 ifneq ($(MAKECMDGOALS),)

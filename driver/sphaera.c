@@ -39,26 +39,68 @@ void sphaera_set(struct sphaera *s, uint32_t number, uint32_t value) {
     put(s, SPHAERA_MACHINE + 4 * number, value);
 }
 
-int sphaera_load(struct sphaera *s, const uint8_t *file, uint32_t bytes, uint32_t base) {
+/* Address bits of the masters. */
+static unsigned address_bits(const struct sphaera *s) {
+    return (s->built & SPHAERA_CORE_BUS_ADDR) >> SPHAERA_CORE_BUS_ADDR_LSB;
+}
+
+/* Whether so many bytes at an address are in its address space. */
+static int beyond(const struct sphaera *s, uint64_t address, uint32_t bytes) {
+    const uint64_t end = (uint64_t)1 << address_bits(s);
+    return address > end || bytes > end - address;
+}
+
+/* The high bits of an address, field `lsb` of their register. */
+static void put_high(const struct sphaera *s, uint64_t address, unsigned lsb) {
+    if (address_bits(s) <= 32) return;
+    const uint32_t others = get(s, SPHAERA_ADDRESS_HIGH) & ~((uint32_t)255 << lsb);
+    put(s, SPHAERA_ADDRESS_HIGH, others | (uint32_t)(address >> 32) << lsb);
+}
+
+/* What the core lacks of that which the machine asks for beside its effects. */
+static int lacks(const struct sphaera *s, const struct sphaera_file *f) {
+    const uint32_t asks = sphaera_file_asks(f), has = s->parts;
+#define MORE(part) ((asks & SPHAERA_CORE_PARTS_##part) > (has & SPHAERA_CORE_PARTS_##part))
+    if (MORE(DEPTH)) return SPHAERA_TOO_DEEP;
+    if (MORE(LIGHTS)) return SPHAERA_TOO_MANY_LIGHTS;
+    if (MORE(RECT) || MORE(SPANS) || MORE(CONES)) return SPHAERA_NO_BACKGROUND;
+#undef MORE
+    if ((asks ^ has) & (SPHAERA_CORE_PARTS_ACCEL | SPHAERA_CORE_PARTS_BOXES))
+        return SPHAERA_OTHER_TREE;
+    return (asks ^ has) & SPHAERA_CORE_PARTS_COARSE ? SPHAERA_OTHER_LEVELS : SPHAERA_OK;
+}
+
+int sphaera_load(struct sphaera *s, const uint8_t *file, uint32_t bytes, uint64_t base) {
     struct sphaera_file f;
     if (!sphaera_file_read(&f, file, bytes)) return SPHAERA_BAD_FILE;
-    if (base & ~SPHAERA_SCENE_BASE_PAGE) return SPHAERA_MISPLACED;
+    if ((uint32_t)base & ~SPHAERA_SCENE_BASE_PAGE) return SPHAERA_MISPLACED;
+    if (beyond(s, base, f.memory_bytes)) return SPHAERA_BEYOND;
     if (sphaera_file_register(&f, SPHAERA_REG_PROFILE) != s->profile) return SPHAERA_OTHER_WIDTHS;
     if (sphaera_file_register(&f, SPHAERA_REG_EFFECTS) & ~s->effects) return SPHAERA_TOO_MUCH;
+    const int lack = lacks(s, &f);
+    if (lack) return lack;
     s->bus.put(s->bus.user, base, f.memory, f.memory_bytes);
-    put(s, SPHAERA_SCENE_BASE, base);
+    put(s, SPHAERA_SCENE_BASE, (uint32_t)base);
+    put_high(s, base, SPHAERA_ADDRESS_HIGH_SCENE_LSB);
     for (uint32_t i = 0; i < SPHAERA_MACHINE_REGISTERS; i++)
         sphaera_set(s, i, sphaera_file_register(&f, i));
     return SPHAERA_OK;
 }
 
-int sphaera_store(struct sphaera *s, const uint32_t frames[3], uint32_t stride, int rgb565) {
-    for (int i = 0; i < 3; i++)
-        if (frames[i] & ~SPHAERA_FRAME0_PLACE) return SPHAERA_MISPLACED;
+int sphaera_store(struct sphaera *s, const uint64_t frames[3], uint32_t stride, int rgb565) {
+    static const uint32_t at[3] = {SPHAERA_FRAME0, SPHAERA_FRAME1, SPHAERA_FRAME2};
+    static const unsigned high[3] = {SPHAERA_ADDRESS_HIGH_FRAME0_LSB,
+                                     SPHAERA_ADDRESS_HIGH_FRAME1_LSB,
+                                     SPHAERA_ADDRESS_HIGH_FRAME2_LSB};
     if (stride & ~SPHAERA_STRIDE_UNITS) return SPHAERA_MISPLACED;
-    put(s, SPHAERA_FRAME0, frames[0]);
-    put(s, SPHAERA_FRAME1, frames[1]);
-    put(s, SPHAERA_FRAME2, frames[2]);
+    for (int i = 0; i < 3; i++) {
+        if ((uint32_t)frames[i] & ~SPHAERA_FRAME0_PLACE) return SPHAERA_MISPLACED;
+        if (beyond(s, frames[i], stride)) return SPHAERA_BEYOND;
+    }
+    for (int i = 0; i < 3; i++) {
+        put(s, at[i], (uint32_t)frames[i]);
+        put_high(s, frames[i], high[i]);
+    }
     put(s, SPHAERA_STRIDE, stride);
     put(s, SPHAERA_FORMAT, rgb565 ? SPHAERA_FORMAT_RGB565 : 0);
     return SPHAERA_OK;
@@ -173,6 +215,12 @@ const char *sphaera_text(int result) {
         "the time is over",
         "the frame had errors",
         "the block was built without layers",
+        "an address, or the end of what lies there, is beyond those that the block has",
+        "the machine follows more reflections or refractions than the core",
+        "the machine has more lights than the core",
+        "the machine has another kind of tree than the core walks",
+        "the core lacks the machine's rectangle, spans or cones of the background",
+        "the core rounds away other bits of a texture's level than the machine asks for",
     };
     size_t n = sizeof words / sizeof *words;
     return result >= 0 && (size_t)result < n ? words[result] : "no such result";

@@ -30,15 +30,31 @@ enum sphaera_result {
     SPHAERA_BUSY,         /* a frame is drawn, or the block is drained */
     SPHAERA_LATE,         /* the time is over */
     SPHAERA_FAILED,       /* the frame had errors: sphaera_errors() */
-    SPHAERA_NO_LAYERS     /* the block was built without layers */
+    SPHAERA_NO_LAYERS,    /* the block was built without layers */
+    SPHAERA_BEYOND,   /* an address, or the end of what lies there, is not in its address space */
+    SPHAERA_TOO_DEEP, /* the machine follows more reflections than the core */
+    SPHAERA_TOO_MANY_LIGHTS,
+    SPHAERA_OTHER_TREE,    /* it has nodes, a BIH or boxes, and the core walks another of them */
+    SPHAERA_NO_BACKGROUND, /* the core lacks its rectangle, spans or cones of the background */
+    SPHAERA_OTHER_LEVELS   /* the core rounds away other bits of a texture's level */
 };
 
 /* How the registers and the memory of the block are reached. Offsets are bytes, as in
- * sphaera_regs.h; addresses are those of the block's own bus. */
+ * sphaera_regs.h; addresses are those of the block's own bus.
+ *
+ * What the caller's functions owe each other, on a processor with caches or that reorders:
+ *   put    ends when the block's masters would read what it wrote: written to memory that is not
+ *          cached, or its cache lines cleaned, and a barrier of stores behind that
+ *   write  is a store to a device, in the order of the calls, behind all that put() did before.
+ *          What the caller itself changed in the memory of a machine has to be visible in the same
+ *          way before sphaera_start(); with keep_cache nothing may have changed
+ *   read   is a load from a device. Who looks at a frame behind sphaera_wait() or sphaera_take()
+ *          puts a barrier of loads before that, and invalidates its cache lines of the frame:
+ *          STATUS says that a frame ended only when its last write was answered by memory */
 struct sphaera_bus {
     uint32_t (*read)(void *user, uint32_t offset);
     void (*write)(void *user, uint32_t offset, uint32_t value);
-    void (*put)(void *user, uint32_t address, const uint8_t *bytes, uint32_t count);
+    void (*put)(void *user, uint64_t address, const uint8_t *bytes, uint32_t count);
     void *user;
 };
 
@@ -58,15 +74,18 @@ struct sphaera_mode {
 int sphaera_open(struct sphaera *s, const struct sphaera_bus *bus);
 
 /* Puts the memory of a machine file at `base`, a multiple of 4096, and its registers into the
- * block. A frame that is drawn keeps its own registers; its memory must not be written over. */
-int sphaera_load(struct sphaera *s, const uint8_t *file, uint32_t bytes, uint32_t base);
+ * block. A frame that is drawn keeps its own registers; its memory must not be written over.
+ * Nothing is put if the core would refuse the machine, or its memory does not lie below 2^32, or
+ * 2^ADDR of a block with more address bits. */
+int sphaera_load(struct sphaera *s, const uint8_t *file, uint32_t bytes, uint64_t base);
 
 /* One register of the machine, SPHAERA_REG_*; counts from the next start on. */
 void sphaera_set(struct sphaera *s, uint32_t number, uint32_t value);
 
 /* Three frames at addresses that are multiples of 64, rows `stride` bytes apart, a multiple of 32;
- * rgb565: 16 bits a pixel in place of 32. Counts from the next start on. */
-int sphaera_store(struct sphaera *s, const uint32_t frames[3], uint32_t stride, int rgb565);
+ * rgb565: 16 bits a pixel in place of 32. Counts from the next start on. That their rows lie in the
+ * address space is the caller's to see; of each the first is looked at. */
+int sphaera_store(struct sphaera *s, const uint64_t frames[3], uint32_t stride, int rgb565);
 
 /* Of a block that was built with layers: those of a frame, Rendering, L1 and L2, are `bytes` apart,
  * a multiple of 64. Counts from the next start on; a display follows at its next blanking. */

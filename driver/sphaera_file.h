@@ -36,6 +36,27 @@ static inline uint32_t sphaera_file_register(const struct sphaera_file *f, uint3
     return sphaera_file_word(f->registers + 4 * number);
 }
 
+/* What the machine asks of a core beside its effects, as CORE_PARTS has it: as much of DEPTH,
+ * LIGHTS, CONES, RECT and SPANS or more; the very COARSE, ACCEL and BOXES. */
+static inline uint32_t sphaera_file_asks(const struct sphaera_file *f) {
+    const uint32_t depth = sphaera_file_register(f, SPHAERA_REG_MAX_DEPTH);
+    const uint32_t lights = sphaera_file_register(f, SPHAERA_REG_N_LIGHTS);
+    const uint32_t coarse = sphaera_file_register(f, SPHAERA_REG_COARSE);
+    const uint32_t tree = sphaera_file_register(f, SPHAERA_REG_TREE);
+    const uint32_t way = sphaera_file_register(f, SPHAERA_REG_BG_MODE) & 3;
+    const uint32_t cones = sphaera_file_register(f, SPHAERA_REG_BG_COUNT);
+    uint32_t asks = (depth << SPHAERA_CORE_PARTS_DEPTH_LSB & SPHAERA_CORE_PARTS_DEPTH) |
+                    (lights << SPHAERA_CORE_PARTS_LIGHTS_LSB & SPHAERA_CORE_PARTS_LIGHTS) |
+                    (coarse << SPHAERA_CORE_PARTS_COARSE_LSB & SPHAERA_CORE_PARTS_COARSE);
+    if (tree == SPHAERA_TREE_BIH || tree == SPHAERA_TREE_BRUTE) asks |= SPHAERA_CORE_PARTS_ACCEL;
+    if (tree == SPHAERA_TREE_BOX4) asks |= SPHAERA_CORE_PARTS_BOXES;
+    if (way == 1) asks |= SPHAERA_CORE_PARTS_RECT;
+    if (way == 2) asks |= SPHAERA_CORE_PARTS_SPANS;
+    if (way == 3)
+        asks |= (cones ? cones : 1) << SPHAERA_CORE_PARTS_CONES_LSB & SPHAERA_CORE_PARTS_CONES;
+    return asks;
+}
+
 /* 1 if these bytes are a machine file, whose parts are then in *f. */
 static inline int sphaera_file_read(struct sphaera_file *f, const uint8_t *file, uint32_t bytes) {
     static const char magic[] = "SPHAERA1";

@@ -40,6 +40,8 @@
 #define SPHAERA_CORE_BUS_VIDEO 0x00000100u /* there is a video output */
 #define SPHAERA_CORE_BUS_LAYERS_LSB 9u
 #define SPHAERA_CORE_BUS_LAYERS 0x00000200u /* frames have three layers, Rendering, L1 and L2 */
+#define SPHAERA_CORE_BUS_ADDR_LSB 10u
+#define SPHAERA_CORE_BUS_ADDR 0x0000fc00u /* bits of an address of the AXI4 masters, 32 to 40 */
 #define SPHAERA_CONTROL 0x020u /* wo: each one written is an order */
 #define SPHAERA_CONTROL_RESET 0x00000000u
 #define SPHAERA_CONTROL_START_LSB 0u
@@ -91,7 +93,7 @@
 #define SPHAERA_ERRORS_WRONG_PROFILE_LSB 5u
 #define SPHAERA_ERRORS_WRONG_PROFILE 0x00000020u /* the machine has other widths: nothing is rendered */
 #define SPHAERA_ERRORS_LEFT_OUT_LSB 6u
-#define SPHAERA_ERRORS_LEFT_OUT 0x00000040u /* a ray met what asks for an effect that was left out, as no ray was to meet it */
+#define SPHAERA_ERRORS_LEFT_OUT 0x00000040u /* the camera is not the one for which something is left out: nothing is rendered */
 #define SPHAERA_ERRORS_SCENE_SLVERR_LSB 8u
 #define SPHAERA_ERRORS_SCENE_SLVERR 0x00000100u /* memory answered a read of the scene with SLVERR */
 #define SPHAERA_ERRORS_SCENE_DECERR_LSB 9u
@@ -194,6 +196,16 @@
 #define SPHAERA_LAYER_BYTES_RESET 0x00000000u
 #define SPHAERA_LAYER_BYTES_UNITS_LSB 6u
 #define SPHAERA_LAYER_BYTES_UNITS 0xffffffc0u /* of 64 bytes, the bits below are 0 */
+#define SPHAERA_ADDRESS_HIGH 0x078u /* rw: with ADDR above 32, bits 39..32 of the addresses */
+#define SPHAERA_ADDRESS_HIGH_RESET 0x00000000u
+#define SPHAERA_ADDRESS_HIGH_FRAME0_LSB 0u
+#define SPHAERA_ADDRESS_HIGH_FRAME0 0x000000ffu /* of register FRAME0 */
+#define SPHAERA_ADDRESS_HIGH_FRAME1_LSB 8u
+#define SPHAERA_ADDRESS_HIGH_FRAME1 0x0000ff00u /* of FRAME1 */
+#define SPHAERA_ADDRESS_HIGH_FRAME2_LSB 16u
+#define SPHAERA_ADDRESS_HIGH_FRAME2 0x00ff0000u /* of FRAME2 */
+#define SPHAERA_ADDRESS_HIGH_SCENE_LSB 24u
+#define SPHAERA_ADDRESS_HIGH_SCENE 0xff000000u /* of SCENE_BASE */
 
 #define SPHAERA_MACHINE 0x200u
 #define SPHAERA_MACHINE_REGISTERS 120u
@@ -263,6 +275,14 @@
 #define SPHAERA_REG_LEAST_WEIGHT 118u
 #define SPHAERA_REG_ONE_CAMERA 119u
 
+#define SPHAERA_TREE_PAPER 1u
+#define SPHAERA_TREE_BALANCED 2u
+#define SPHAERA_TREE_REINSERTED 5u
+#define SPHAERA_TREE_BIH 3u
+#define SPHAERA_TREE_BRUTE 4u
+#define SPHAERA_TREE_BOX4 6u
+#define SPHAERA_TREE_LAST 6u
+
 #define SPHAERA_COUNT_RAYS_PRIMARY 0u
 #define SPHAERA_COUNT_RAYS_SHADOW 1u
 #define SPHAERA_COUNT_RAYS_REFLECTED 2u
@@ -303,7 +323,7 @@
     X(SPHAERA_ERRORS_BUS_ERROR, "memory answered with an error") \
     X(SPHAERA_ERRORS_MISSING_EFFECT, "EFFECTS or TREE asks for what was not elaborated: nothing is rendered") \
     X(SPHAERA_ERRORS_WRONG_PROFILE, "the machine has other widths: nothing is rendered") \
-    X(SPHAERA_ERRORS_LEFT_OUT, "a ray met what asks for an effect that was left out, as no ray was to meet it") \
+    X(SPHAERA_ERRORS_LEFT_OUT, "the camera is not the one for which something is left out: nothing is rendered") \
     X(SPHAERA_ERRORS_SCENE_SLVERR, "memory answered a read of the scene with SLVERR") \
     X(SPHAERA_ERRORS_SCENE_DECERR, "memory answered a read of the scene with DECERR") \
     X(SPHAERA_ERRORS_FRAME_SLVERR, "a write to the frame store was answered with SLVERR") \

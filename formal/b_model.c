@@ -96,15 +96,43 @@ void planes(struct sph_ray ray) {
     END;
 }
 
-void box(struct sph_bih_ray bih, struct sph_ray ray, struct sph_box box, int32_t depth_max) {
-    bih.v_shift = at_least_0(W + 2 - SPH_BIH_V);
-    bih.t_shift = at_least_0(W + WD + 2 - SPH_BIH_T);
+static void set_up(struct sph_bih_ray *bih) {
+    bih->v_shift = at_least_0(W + 2 - SPH_BIH_V);
+    bih->t_shift = at_least_0(W + WD + 2 - SPH_BIH_T);
     for (int i = 0; i < 3; i++)
-        ASSUME(axis_holds(&bih.axis[i]) && is_signed(box.lo[i], W + 2) &&
-               is_signed(box.hi[i], W + 2));
+        ASSUME(axis_holds(&bih->axis[i]));
+}
+
+void plane(struct sph_bih_ray bih, struct sph_ray ray, int axis, int64_t clip, int below) {
+    struct sph_interval span = {0, SPH_BIH_NO_BOUND};
+    set_up(&bih);
+    ASSUME(axis >= 0 && axis < 3 && is_signed(clip, W + 2) && (below == 0 || below == 1));
     ASSUME(are_signed(ray.org, W));
+    sph_bih_cut(&bih, &ray, axis, clip, below, &span);
+    ASSERT(span.lo <= SPH_BIH_NO_BOUND && span.hi <= SPH_BIH_NO_BOUND);
+    END;
+}
+
+void box(struct sph_bih_ray bih, struct sph_ray ray, struct sph_box_frame frame,
+         struct sph_box_planes planes, int32_t depth_max) {
+    struct sph_box_axis axes[3];
+    set_up(&bih);
+    ASSUME(are_signed(ray.org, W));
+    for (int i = 0; i < 3; i++) {
+        ASSUME(is_signed(frame.org[i], W > 14 ? W : 14));
+        ASSUME(frame.step[i] >= sph_frame_step_shift(&profile) &&
+               frame.step[i] <= sph_frame_step_shift(&profile) + 15);
+        ASSUME(planes.lo[i] < SPH_BOX_CODES && planes.hi[i] < SPH_BOX_CODES);
+    }
+    sph_box_axes(&profile, &bih, &ray, &frame, axes);
+    for (int i = 0; i < 3; i++) {
+        ASSERT(is_signed(axes[i].enter, SPH_BOX_CROSS + 9));
+        ASSERT(is_signed(axes[i].leave, SPH_BOX_CROSS + 9));
+        ASSERT(is_unsigned((uint32_t)axes[i].step, SPH_BOX_CROSS));
+    }
     int32_t near;
-    sph_box_meets(&bih, &ray, &box, depth_max, &near);
+    ray.stages = NULL;
+    sph_box_meets(axes, &ray, &planes, depth_max, &near);
     ASSERT(near >= 0);
     END;
 }

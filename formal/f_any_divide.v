@@ -52,7 +52,8 @@ endmodule
 module rt_divide #(
     parameter DW   = 50,
     parameter QW   = 34,
-    parameter STEP = 2
+    parameter STEP = 2,
+    parameter AT_ONCE = 1
 ) (
     input  wire             clk,
     input  wire             rst,
@@ -70,7 +71,7 @@ module rt_divide #(
     reg [2*DW+QW-1:0]  all_q;
     reg [QW:0]         key_q;
     assign out_valid_o = full_q && done_q;
-    assign in_ready_o  = !full_q || (out_valid_o && out_ready_i);
+    assign in_ready_o  = !full_q || (AT_ONCE != 0 && out_valid_o && out_ready_i);
     assign out_key_o   = key_q;
     always @(posedge clk) begin
         if (full_q && ends)             done_q <= 1'b1;

@@ -3,7 +3,8 @@
 `timescale 1ns / 1ps
 `default_nettype none
 module rt_axi_write #(
-    parameter DATA = 64
+    parameter DATA = 64,
+    parameter ADDR = 32
 ) (
     input  wire              clk,
     input  wire              rst,
@@ -17,13 +18,13 @@ module rt_axi_write #(
     output wire              beat_o,
     input  wire              group_valid_i,
     output wire              group_ready_o,
-    input  wire [31:0]       group_addr_i,
+    input  wire [ADDR-1:0]   group_addr_i,
     input  wire              group_half_i,
     input  wire [31:0]       group_strobe_i,
     input  wire [255:0]      group_data_i,
     output wire              m_awvalid,
     input  wire              m_awready,
-    output wire [31:0]       m_awaddr,
+    output wire [ADDR-1:0]   m_awaddr,
     output wire [7:0]        m_awlen,
     output wire              m_wvalid,
     input  wire              m_wready,

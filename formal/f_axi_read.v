@@ -7,12 +7,13 @@
 `default_nettype none
 module f_axi_read #(
     parameter DATA = 64,
-    parameter PENDING = 4
+    parameter PENDING = 4,
+    parameter ADDR = 32
 ) (
     input wire        clk,
     input wire        rst,
     input wire        begins,
-    input wire [31:0] base,
+    input wire [ADDR-1:0] base,
     input wire        cut,
     input wire        forget,
     input wire        req_valid,
@@ -29,11 +30,11 @@ module f_axi_read #(
     localparam BEATS = 256 / DATA;
     localparam CB = $clog2(PENDING * BEATS + 1);
     wire idle, req_ready, rsp_valid, rsp_error, arvalid, rready;
-    wire [31:0] araddr;
+    wire [ADDR-1:0] araddr;
     wire [7:0]  arlen;
     wire [4:0]  arid, rsp_tag;
     wire [DATA-1:0] rsp_data;
-    rt_axi_read #(.DATA(DATA), .PENDING(PENDING)) u_dut (
+    rt_axi_read #(.DATA(DATA), .PENDING(PENDING), .ADDR(ADDR)) u_dut (
         .clk(clk), .rst(rst), .begin_i(begins), .base_i(base), .cut_i(cut),
         .forget_i(forget), .idle_o(idle), .stall_o(), .slverr_o(), .decerr_o(), .burst_o(),
         .beat_o(), .req_valid_i(req_valid), .req_ready_o(req_ready), .req_line_i(req_line),
@@ -44,12 +45,12 @@ module f_axi_read #(
         .m_rresp(rresp), .m_rlast(rlast)
     );
     (* hierconn *) wire [CB-1:0] \u_dut.owed_q ;
-    (* hierconn *) wire [31:0]   \u_dut.base_q ;
+    (* hierconn *) wire [ADDR-1:0] \u_dut.base_q ;
 
     // ---- model: beats that the bus owes of what it took, and that the core waits for ----
     reg          old_q = 1'b0;
     reg [CB-1:0] bus_q, core_q;
-    reg [31:0]   base_q;
+    reg [ADDR-1:0] base_q;
     wire ar   = arvalid && arready;
     wire beat = rvalid && rready;
     wire take = req_valid && req_ready;
@@ -66,7 +67,7 @@ module f_axi_read #(
     // ---- last clock, and what is assumed of the core, of rt_run and of the bus ----
     reg cut_q, idle_q, anew_q, forget_q, wait_q, take_q;
     reg begun_q = 1'b0;                  // there was a frame
-    reg [36:0] request_q, taken_q;
+    reg [ADDR+4:0] request_q, taken_q;
     always @(posedge clk) begin
         cut_q     <= cut;
         begun_q   <= begun_q || begins;

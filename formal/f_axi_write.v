@@ -5,14 +5,15 @@
 `timescale 1ns / 1ps
 `default_nettype none
 module f_axi_write #(
-    parameter DATA = 64
+    parameter DATA = 64,
+    parameter ADDR = 32
 ) (
     input wire         clk,
     input wire         rst,
     input wire         cut,
     input wire         forget,
     input wire         group_valid,
-    input wire [31:0]  group_addr,
+    input wire [ADDR-1:0] group_addr,
     input wire         group_half,
     input wire [31:0]  group_strobe,
     input wire [255:0] group_data,
@@ -22,11 +23,11 @@ module f_axi_write #(
     input wire [1:0]   bresp
 );
     wire idle, group_ready, awvalid, wvalid, wlast, bready;
-    wire [31:0] awaddr;
+    wire [ADDR-1:0] awaddr;
     wire [7:0]  awlen;
     wire [DATA-1:0] wdata;
     wire [DATA/8-1:0] wstrb;
-    rt_axi_write #(.DATA(DATA)) u_dut (
+    rt_axi_write #(.DATA(DATA), .ADDR(ADDR)) u_dut (
         .clk(clk), .rst(rst), .cut_i(cut), .forget_i(forget), .idle_o(idle), .stall_o(),
         .slverr_o(), .decerr_o(), .burst_o(), .beat_o(), .group_valid_i(group_valid),
         .group_ready_o(group_ready), .group_addr_i(group_addr), .group_half_i(group_half),
@@ -43,7 +44,7 @@ module f_axi_write #(
     reg [3:0]     whole_q;               // bursts of which the bus has all
     reg [7:0]     beat_q;                // beats of the burst taken
     reg           aw_wait_q, w_wait_q, last_q;
-    reg [31:0]    addr_q;
+    reg [ADDR-1:0] addr_q;
     reg [7:0]     len_q;
     reg [DATA-1:0] data_q;
     reg [DATA/8-1:0] strb_q;

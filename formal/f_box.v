@@ -1,94 +1,78 @@
-// f_box.v - proof that rt_box joins the cuts of its axes as sph_box_meets() does
+// f_box.v - proof that rt_box joins the axes of a frame as sph_box_meets() does
 // SPDX-License-Identifier: Apache-2.0
-// Its planes go to rt_bih_step (f_cut.v), an axis to each. From any state, what these say together
-// is the result four clocks later, whatever boxes are before and behind it.
+// A box comes in the first clock, with any others before and behind it, where the frame begins in
+// the next, its limit in the sixth, and the result behind that.
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
 module f_box #(
-    parameter W = 16
+    parameter XW = `RT_BOX_CROSS,
+    parameter SW = XW + 9
 ) (
-    input wire                 clk,
-    input wire [3*(W+2)-1:0]   places, lo, hi,
-    input wire [3*(`RT_BIH_G+7)-1:0] paces,
-    input wire [14:0]          limit
+    input wire            clk,
+    input wire [20:0]     near_code, far_code,
+    input wire [3*XW-1:0] step,
+    input wire [3*XW+2:0] more,
+    input wire [3*SW-1:0] enter, leave,
+    input wire [2:0]      flat, open,
+    input wire [14:0]     limit
 );
     localparam TW = `RT_BIH_T;
-    wire pass;
+    wire        pass;
     wire [14:0] near;
-    rt_box #(.W(W)) u_dut (
-        .clk(clk), .in_places_i(places), .in_paces_i(paces), .in_lo_i(lo), .in_hi_i(hi),
+    rt_box u_dut (
+        .clk(clk), .in_near_i(near_code), .in_far_i(far_code), .in_step_i(step), .in_more_i(more),
+        .late_enter_i(enter), .late_leave_i(leave), .late_flat_i(flat), .late_open_i(open),
         .in_limit_i(limit), .out_pass_o(pass), .out_near_o(near)
     );
-    (* hierconn *) wire [2:0]      \u_dut.near , \u_dut.far ;
-    (* hierconn *) wire [3*TW-1:0] \u_dut.upper , \u_dut.lower ;
-
-    // ---- the planes that are cut: the ray leaves by hi or lo, whichever way it runs ----
-    (* hierconn *) wire [W-1:0] \u_dut.g_axis[0].u_step.in_org_i ,
-        \u_dut.g_axis[1].u_step.in_org_i , \u_dut.g_axis[2].u_step.in_org_i ;
-    (* hierconn *) wire \u_dut.g_axis[0].u_step.in_back_i ,
-        \u_dut.g_axis[1].u_step.in_back_i , \u_dut.g_axis[2].u_step.in_back_i ;
-    (* hierconn *) wire \u_dut.g_axis[0].u_step.in_flat_i ,
-        \u_dut.g_axis[1].u_step.in_flat_i , \u_dut.g_axis[2].u_step.in_flat_i ;
-    (* hierconn *) wire \u_dut.g_axis[0].u_step.in_open_i ,
-        \u_dut.g_axis[1].u_step.in_open_i , \u_dut.g_axis[2].u_step.in_open_i ;
-    (* hierconn *) wire [6-1:0] \u_dut.g_axis[0].u_step.in_shift_i ,
-        \u_dut.g_axis[1].u_step.in_shift_i , \u_dut.g_axis[2].u_step.in_shift_i ;
-    (* hierconn *) wire [`RT_BIH_G-1:0] \u_dut.g_axis[0].u_step.in_g_i ,
-        \u_dut.g_axis[1].u_step.in_g_i , \u_dut.g_axis[2].u_step.in_g_i ;
-    (* hierconn *) wire [W+2-1:0] \u_dut.g_axis[0].u_step.in_clip_l_i ,
-        \u_dut.g_axis[1].u_step.in_clip_l_i , \u_dut.g_axis[2].u_step.in_clip_l_i ;
-    (* hierconn *) wire [W+2-1:0] \u_dut.g_axis[0].u_step.in_clip_r_i ,
-        \u_dut.g_axis[1].u_step.in_clip_r_i , \u_dut.g_axis[2].u_step.in_clip_r_i ;
-    wire [3*(W+2)-1:0] cut_places = {\u_dut.g_axis[2].u_step.in_org_i ,
-        \u_dut.g_axis[2].u_step.in_back_i ,
-        \u_dut.g_axis[2].u_step.in_flat_i ,
-        \u_dut.g_axis[1].u_step.in_org_i , \u_dut.g_axis[1].u_step.in_back_i ,
-        \u_dut.g_axis[1].u_step.in_flat_i ,
-        \u_dut.g_axis[0].u_step.in_org_i , \u_dut.g_axis[0].u_step.in_back_i ,
-        \u_dut.g_axis[0].u_step.in_flat_i };
-    wire [3*(`RT_BIH_G+7)-1:0] cut_paces = {\u_dut.g_axis[2].u_step.in_open_i ,
-        \u_dut.g_axis[2].u_step.in_shift_i , \u_dut.g_axis[2].u_step.in_g_i ,
-        \u_dut.g_axis[1].u_step.in_open_i ,
-        \u_dut.g_axis[1].u_step.in_shift_i , \u_dut.g_axis[1].u_step.in_g_i ,
-        \u_dut.g_axis[0].u_step.in_open_i ,
-        \u_dut.g_axis[0].u_step.in_shift_i , \u_dut.g_axis[0].u_step.in_g_i };
-    wire [3*(W+2)-1:0] cut_hi = {\u_dut.g_axis[2].u_step.in_clip_l_i ,
-        \u_dut.g_axis[1].u_step.in_clip_l_i , \u_dut.g_axis[0].u_step.in_clip_l_i };
-    wire [3*(W+2)-1:0] cut_lo = {\u_dut.g_axis[2].u_step.in_clip_r_i ,
-        \u_dut.g_axis[1].u_step.in_clip_r_i , \u_dut.g_axis[0].u_step.in_clip_r_i };
-    always @*
-        assert (cut_places == places && cut_paces == paces && cut_hi == hi && cut_lo == lo);
-
-    // ---- the cuts; limit comes 3 clocks behind them ----
     reg [2:0]      age_q = 3'd0;
-    reg [2:0]      near_q, far_q;
-    reg [3*TW-1:0] upper_q, lower_q;
-    reg [14:0]     limit_q;
+    reg [20:0]     m_near, m_far;
+    reg [3*XW-1:0] m_step;
+    reg [3*XW+2:0] m_more;
+    reg [3*SW-1:0] m_enter, m_leave;
+    reg [2:0]      m_flat, m_open;
+    reg [14:0]     m_limit;
     always @(posedge clk) begin
         if (age_q != 7) age_q <= age_q + 1'b1;
-        if (age_q == 0) begin
-            {near_q, far_q} <= {\u_dut.near , \u_dut.far };
-            {upper_q, lower_q} <= {\u_dut.upper , \u_dut.lower };
-        end
-        if (age_q == 3) limit_q <= limit;
+        if (age_q == 0) {m_near, m_far, m_step, m_more} <= {near_code, far_code, step, more};
+        if (age_q == 1) {m_enter, m_leave, m_flat, m_open} <= {enter, leave, flat, open};
+        if (age_q == 5) m_limit <= limit;
     end
-    wire [TW-1:0] lo_x = lower_q[0 +: TW], lo_y = lower_q[TW +: TW], lo_z = lower_q[2*TW +: TW];
-    wire [TW-1:0] hi_x = upper_q[0 +: TW], hi_y = upper_q[TW +: TW], hi_z = upper_q[2*TW +: TW];
-    wire [TW-1:0] lo_xy = lo_x > lo_y ? lo_x : lo_y, first = lo_xy > lo_z ? lo_xy : lo_z;
-    wire [TW-1:0] hi_xy = hi_x < hi_y ? hi_x : hi_y, last  = hi_xy < hi_z ? hi_xy : hi_z;
+
+    // ---- sph_box_meets() ----
+    localparam [SW-1:0] BEYOND = 1 << TW;
+    function [XW+6:0] steps(input [6:0] a, input [XW-1:0] b); steps = a * b; endfunction
+    function [XW+7:0] mores(input [6:0] a, input [XW:0] b); mores = a * b; endfunction
+    function signed [SW-1:0] greater(input signed [SW-1:0] a, input signed [SW-1:0] b);
+        greater = a > b ? a : b;
+    endfunction
+    wire [3*SW-1:0] first, last;
+    genvar i;
+    generate
+        for (i = 0; i < 3; i = i + 1) begin : g_axis
+            assign first[SW*i +: SW] = (m_enter[SW*i +: SW] +
+                steps(m_near[7*i +: 7], m_step[XW*i +: XW])) | (m_flat[i] ? BEYOND : 0);
+            assign last[SW*i +: SW] = (m_leave[SW*i +: SW] +
+                mores(m_far[7*i +: 7], m_more[(XW+1)*i +: XW+1])) | (m_open[i] ? BEYOND : 0);
+        end
+    endgenerate
+    wire signed [SW-1:0] in = greater(greater(0, first[0 +: SW]),
+                                      greater(first[SW +: SW], first[2*SW +: SW]));
+    wire signed [SW-1:0] out = ~greater(~last[0 +: SW],
+                                        greater(~last[SW +: SW], ~last[2*SW +: SW]));
     // sph_box_depth()
-    reg [TW-1:0] cut;                                // places that are shifted
+    wire [TW-1:0] time_in = in[TW-1:0];
+    reg [TW-1:0]  cut;                               // places that are shifted
     integer n;
     always @* begin
         cut = 0;
-        for (n = `RT_BOX_NEAR + 1; n < TW; n = n + 1) if (first[n]) cut = n - `RT_BOX_NEAR;
+        for (n = `RT_BOX_NEAR + 1; n < TW; n = n + 1) if (time_in[n]) cut = n - `RT_BOX_NEAR;
     end
-    wire [TW-1:0] depth = (cut << `RT_BOX_NEAR) + (first >> cut);
-    wire meets = &near_q && &far_q && first <= last && depth <= limit_q;
-    always @* if (age_q == 4) begin
+    wire [TW-1:0] depth = (cut << `RT_BOX_NEAR) + (time_in >> cut);
+    wire meets = in <= out && in < $signed(BEYOND) && depth <= m_limit;
+    always @* if (age_q == 6) begin
         assert (pass == meets);
-        if (meets) assert (near == depth);
+        assert (near == depth);
     end
 endmodule
 `default_nettype wire

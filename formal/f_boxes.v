@@ -1,8 +1,9 @@
-// f_boxes.v - proof that rt_boxes reads the boxes of a node as sph_box_read(), and joins its parts
+// f_boxes.v - proof that rt_boxes gives rt_box_axis and rt_box what sph_visit() gives their model
 // SPDX-License-Identifier: Apache-2.0
 // A node comes in the first clock, beside a ray that memory holds, with any other nodes before and
-// behind it. A clock later the four rt_box have its ray and its boxes, 9 clocks later its limit,
-// and what they say in the next leaves as its result.
+// behind it. At once the three rt_box_axis have its ray and its frame; the four rt_box have its
+// planes and what these say of a step 7 clocks later, the rest of it in the next, the limit in the
+// thirteenth; what they say behind that leaves as its result.
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
@@ -17,10 +18,7 @@ module f_boxes #(
     input wire [14:0]  limit
 );
     localparam WD = W + 1, SLOTS = 16, NG = 2;       // of the bundles
-    localparam GW = `RT_BIH_G;
-    localparam CW = W + 2;
-    localparam PW = GW + 7;
-    localparam X  = CW + 8;                          // bits of the model's words
+    localparam CW = W + 2, PW = `RT_BIH_G + 7, XW = `RT_BOX_CROSS, SW = XW + 9;
     wire [3:0]  pass;
     wire [63:0] near;
     wire        order;
@@ -32,92 +30,145 @@ module f_boxes #(
     (* hierconn *) wire [3*CW-1:0] \u_dut.t1_places ;
     (* hierconn *) wire [3*PW-1:0] \u_dut.t1_paces ;
     (* hierconn *) wire            \u_dut.g_order.t1_order ;
-    reg [3:0]      age_q = 4'd0;
-    reg [255:0]    node_q;
-    reg [14:0]     limit_q;
-    reg [3*CW-1:0] places_q;
-    reg [3*PW-1:0] paces_q;
-    reg            order_q;
-    always @(posedge clk) begin
-        if (age_q != 15) age_q <= age_q + 1'b1;
-        if (age_q == 0) begin
-            {node_q, limit_q, order_q} <= {node, limit, \u_dut.g_order.t1_order };
-            {places_q, paces_q} <= {\u_dut.t1_places , \u_dut.t1_paces };
-        end
-    end
-    // ---- what the four rt_box have, and say ----
-    (* hierconn *) wire [3*CW-1:0] \u_dut.g_child[0].u_box.in_places_i ,
-        \u_dut.g_child[1].u_box.in_places_i ,
-        \u_dut.g_child[2].u_box.in_places_i , \u_dut.g_child[3].u_box.in_places_i ;
-    (* hierconn *) wire [3*PW-1:0] \u_dut.g_child[0].u_box.in_paces_i ,
-        \u_dut.g_child[1].u_box.in_paces_i ,
-        \u_dut.g_child[2].u_box.in_paces_i , \u_dut.g_child[3].u_box.in_paces_i ;
-    (* hierconn *) wire [3*CW-1:0] \u_dut.g_child[0].u_box.in_lo_i ,
-        \u_dut.g_child[1].u_box.in_lo_i ,
-        \u_dut.g_child[2].u_box.in_lo_i , \u_dut.g_child[3].u_box.in_lo_i ;
-    (* hierconn *) wire [3*CW-1:0] \u_dut.g_child[0].u_box.in_hi_i ,
-        \u_dut.g_child[1].u_box.in_hi_i ,
-        \u_dut.g_child[2].u_box.in_hi_i , \u_dut.g_child[3].u_box.in_hi_i ;
+    // ---- the axes: what they have, and say ----
+    (* hierconn *) wire [13:0] \u_dut.g_axis[0].u_axis.in_org_i ,
+        \u_dut.g_axis[1].u_axis.in_org_i , \u_dut.g_axis[2].u_axis.in_org_i ;
+    (* hierconn *) wire [3:0] \u_dut.g_axis[0].u_axis.in_step_i ,
+        \u_dut.g_axis[1].u_axis.in_step_i , \u_dut.g_axis[2].u_axis.in_step_i ;
+    (* hierconn *) wire [CW-1:0] \u_dut.g_axis[0].u_axis.in_place_i ,
+        \u_dut.g_axis[1].u_axis.in_place_i , \u_dut.g_axis[2].u_axis.in_place_i ;
+    (* hierconn *) wire [PW-1:0] \u_dut.g_axis[0].u_axis.in_pace_i ,
+        \u_dut.g_axis[1].u_axis.in_pace_i , \u_dut.g_axis[2].u_axis.in_pace_i ;
+    (* hierconn *) wire [SW-1:0] \u_dut.g_axis[0].u_axis.out_enter_o ,
+        \u_dut.g_axis[1].u_axis.out_enter_o , \u_dut.g_axis[2].u_axis.out_enter_o ;
+    (* hierconn *) wire [SW-1:0] \u_dut.g_axis[0].u_axis.out_leave_o ,
+        \u_dut.g_axis[1].u_axis.out_leave_o , \u_dut.g_axis[2].u_axis.out_leave_o ;
+    (* hierconn *) wire \u_dut.g_axis[0].u_axis.out_flat_o ,
+        \u_dut.g_axis[1].u_axis.out_flat_o , \u_dut.g_axis[2].u_axis.out_flat_o ;
+    (* hierconn *) wire \u_dut.g_axis[0].u_axis.out_open_o ,
+        \u_dut.g_axis[1].u_axis.out_open_o , \u_dut.g_axis[2].u_axis.out_open_o ;
+    (* hierconn *) wire [XW-1:0] \u_dut.g_axis[0].u_axis.step_o ,
+        \u_dut.g_axis[1].u_axis.step_o , \u_dut.g_axis[2].u_axis.step_o ;
+    (* hierconn *) wire [XW:0] \u_dut.g_axis[0].u_axis.more_o ,
+        \u_dut.g_axis[1].u_axis.more_o , \u_dut.g_axis[2].u_axis.more_o ;
+    (* hierconn *) wire \u_dut.g_axis[0].u_axis.back_o ,
+        \u_dut.g_axis[1].u_axis.back_o , \u_dut.g_axis[2].u_axis.back_o ;
+    // ---- the children ----
+    (* hierconn *) wire [20:0] \u_dut.g_child[0].u_box.in_near_i ,
+        \u_dut.g_child[1].u_box.in_near_i ,
+        \u_dut.g_child[2].u_box.in_near_i , \u_dut.g_child[3].u_box.in_near_i ;
+    (* hierconn *) wire [20:0] \u_dut.g_child[0].u_box.in_far_i ,
+        \u_dut.g_child[1].u_box.in_far_i ,
+        \u_dut.g_child[2].u_box.in_far_i , \u_dut.g_child[3].u_box.in_far_i ;
+    (* hierconn *) wire [3*XW-1:0] \u_dut.g_child[0].u_box.in_step_i ,
+        \u_dut.g_child[1].u_box.in_step_i ,
+        \u_dut.g_child[2].u_box.in_step_i , \u_dut.g_child[3].u_box.in_step_i ;
+    (* hierconn *) wire [3*XW+2:0] \u_dut.g_child[0].u_box.in_more_i ,
+        \u_dut.g_child[1].u_box.in_more_i ,
+        \u_dut.g_child[2].u_box.in_more_i , \u_dut.g_child[3].u_box.in_more_i ;
+    (* hierconn *) wire [3*SW-1:0] \u_dut.g_child[0].u_box.late_enter_i ,
+        \u_dut.g_child[1].u_box.late_enter_i ,
+        \u_dut.g_child[2].u_box.late_enter_i , \u_dut.g_child[3].u_box.late_enter_i ;
+    (* hierconn *) wire [3*SW-1:0] \u_dut.g_child[0].u_box.late_leave_i ,
+        \u_dut.g_child[1].u_box.late_leave_i ,
+        \u_dut.g_child[2].u_box.late_leave_i , \u_dut.g_child[3].u_box.late_leave_i ;
+    (* hierconn *) wire [2:0] \u_dut.g_child[0].u_box.late_flat_i ,
+        \u_dut.g_child[1].u_box.late_flat_i ,
+        \u_dut.g_child[2].u_box.late_flat_i , \u_dut.g_child[3].u_box.late_flat_i ;
+    (* hierconn *) wire [2:0] \u_dut.g_child[0].u_box.late_open_i ,
+        \u_dut.g_child[1].u_box.late_open_i ,
+        \u_dut.g_child[2].u_box.late_open_i , \u_dut.g_child[3].u_box.late_open_i ;
     (* hierconn *) wire [14:0] \u_dut.g_child[0].u_box.in_limit_i ,
         \u_dut.g_child[1].u_box.in_limit_i ,
         \u_dut.g_child[2].u_box.in_limit_i , \u_dut.g_child[3].u_box.in_limit_i ;
     (* hierconn *) wire [14:0] \u_dut.g_child[0].u_box.out_near_o ,
         \u_dut.g_child[1].u_box.out_near_o ,
         \u_dut.g_child[2].u_box.out_near_o , \u_dut.g_child[3].u_box.out_near_o ;
-    (* hierconn *) wire \u_dut.g_child[0].u_box.out_pass_o , \u_dut.g_child[1].u_box.out_pass_o ,
+    (* hierconn *) wire \u_dut.g_child[0].u_box.out_pass_o ,
+        \u_dut.g_child[1].u_box.out_pass_o ,
         \u_dut.g_child[2].u_box.out_pass_o , \u_dut.g_child[3].u_box.out_pass_o ;
-    wire [4*3*CW-1:0] in_places =
-        {\u_dut.g_child[3].u_box.in_places_i , \u_dut.g_child[2].u_box.in_places_i ,
-         \u_dut.g_child[1].u_box.in_places_i , \u_dut.g_child[0].u_box.in_places_i };
-    wire [4*3*PW-1:0] in_paces =
-        {\u_dut.g_child[3].u_box.in_paces_i , \u_dut.g_child[2].u_box.in_paces_i ,
-         \u_dut.g_child[1].u_box.in_paces_i , \u_dut.g_child[0].u_box.in_paces_i };
-    wire [4*3*CW-1:0] in_lo =
-        {\u_dut.g_child[3].u_box.in_lo_i , \u_dut.g_child[2].u_box.in_lo_i ,
-         \u_dut.g_child[1].u_box.in_lo_i , \u_dut.g_child[0].u_box.in_lo_i };
-    wire [4*3*CW-1:0] in_hi =
-        {\u_dut.g_child[3].u_box.in_hi_i , \u_dut.g_child[2].u_box.in_hi_i ,
-         \u_dut.g_child[1].u_box.in_hi_i , \u_dut.g_child[0].u_box.in_hi_i };
-    wire [59:0] in_limit =
-        {\u_dut.g_child[3].u_box.in_limit_i , \u_dut.g_child[2].u_box.in_limit_i ,
-         \u_dut.g_child[1].u_box.in_limit_i , \u_dut.g_child[0].u_box.in_limit_i };
-    wire [59:0] said_near =
-        {\u_dut.g_child[3].u_box.out_near_o , \u_dut.g_child[2].u_box.out_near_o ,
-         \u_dut.g_child[1].u_box.out_near_o , \u_dut.g_child[0].u_box.out_near_o };
-    wire [3:0] said_pass =
-        {\u_dut.g_child[3].u_box.out_pass_o , \u_dut.g_child[2].u_box.out_pass_o ,
-         \u_dut.g_child[1].u_box.out_pass_o , \u_dut.g_child[0].u_box.out_pass_o };
 
-    // ---- sph_box_read(): coordinates that leave W+2 bits lose what is above ----
-    localparam ORG_SHIFT  = W > 14 ? W - 14 : 0;     // sph_frame_org_shift()
-    localparam STEP_SHIFT = W > 22 ? W - 22 : 0;     // sph_frame_step_shift()
-    wire [12*CW-1:0] lo, hi;
+    // ---- a node, its ray and what is said of them, kept ----
+    reg [3:0]      age_q = 4'd0;
+    reg [255:0]    node_q;
+    reg [14:0]     limit_q;
+    reg            order_q;
+    reg [2:0]      back_q;
+    reg            begins_q, has_q, ends_q, limit_is_q;          // only the last clock asserts
+    wire [41:0]    orgs = {\u_dut.g_axis[2].u_axis.in_org_i , \u_dut.g_axis[1].u_axis.in_org_i ,
+            \u_dut.g_axis[0].u_axis.in_org_i };
+    wire [11:0]    steps = {\u_dut.g_axis[2].u_axis.in_step_i , \u_dut.g_axis[1].u_axis.in_step_i ,
+            \u_dut.g_axis[0].u_axis.in_step_i };
+    wire           begins = orgs == node[209:168] && steps == node[221:210] &&
+        {\u_dut.g_axis[2].u_axis.in_place_i , \u_dut.g_axis[1].u_axis.in_place_i ,
+            \u_dut.g_axis[0].u_axis.in_place_i } == \u_dut.t1_places  &&
+        {\u_dut.g_axis[2].u_axis.in_pace_i , \u_dut.g_axis[1].u_axis.in_pace_i ,
+            \u_dut.g_axis[0].u_axis.in_pace_i } == \u_dut.t1_paces ;
+    wire [83:0]    near_codes, far_codes;
     genvar c, i;
     generate
         for (c = 0; c < 4; c = c + 1) begin : g_box
             for (i = 0; i < 3; i = i + 1) begin : g_axis
-                wire signed [13:0]  org  = node_q[168 + 14*i +: 14];
-                wire signed [X-1:0] from = {{CW{org[13]}}, org} << ORG_SHIFT;
-                wire [X-1:0] low  = node_q[42*c + 7*i +: 7], high = node_q[42*c + 21 + 7*i +: 7];
-                wire [3:0]   step = node_q[210 + 4*i +: 4];
-                wire [X-1:0] lo_all = low << step << STEP_SHIFT;
-                wire [X-1:0] hi_all = (high + 1'b1) << step << STEP_SHIFT;
-                assign lo[CW*(3*c+i) +: CW] = from[CW-1:0] + lo_all[CW-1:0];
-                assign hi[CW*(3*c+i) +: CW] = from[CW-1:0] + hi_all[CW-1:0];
+                wire [6:0] low = node_q[42*c + 7*i +: 7], high = node_q[42*c + 21 + 7*i +: 7];
+                assign near_codes[21*c + 7*i +: 7] = back_q[i] ? 127 - high : low;
+                assign far_codes[21*c + 7*i +: 7] = back_q[i] ? 127 - low : high;
             end
         end
     endgenerate
-    reg has_q;                                       // in the second clock
-    always @(posedge clk)
-        if (age_q == 1)
-            has_q <= in_lo == lo && in_hi == hi && in_places == {4{places_q}} &&
-                     in_paces == {4{paces_q}};
+    wire           has = near_codes ==
+            {\u_dut.g_child[3].u_box.in_near_i , \u_dut.g_child[2].u_box.in_near_i ,
+            \u_dut.g_child[1].u_box.in_near_i , \u_dut.g_child[0].u_box.in_near_i } &&
+        far_codes == {\u_dut.g_child[3].u_box.in_far_i , \u_dut.g_child[2].u_box.in_far_i ,
+            \u_dut.g_child[1].u_box.in_far_i , \u_dut.g_child[0].u_box.in_far_i } &&
+        {4{{\u_dut.g_axis[2].u_axis.step_o , \u_dut.g_axis[1].u_axis.step_o ,
+            \u_dut.g_axis[0].u_axis.step_o }}} ==
+            {\u_dut.g_child[3].u_box.in_step_i , \u_dut.g_child[2].u_box.in_step_i ,
+            \u_dut.g_child[1].u_box.in_step_i , \u_dut.g_child[0].u_box.in_step_i } &&
+        {4{{\u_dut.g_axis[2].u_axis.more_o , \u_dut.g_axis[1].u_axis.more_o ,
+            \u_dut.g_axis[0].u_axis.more_o }}} ==
+            {\u_dut.g_child[3].u_box.in_more_i , \u_dut.g_child[2].u_box.in_more_i ,
+            \u_dut.g_child[1].u_box.in_more_i , \u_dut.g_child[0].u_box.in_more_i };
+    wire           late =
+        {4{{\u_dut.g_axis[2].u_axis.out_enter_o , \u_dut.g_axis[1].u_axis.out_enter_o ,
+            \u_dut.g_axis[0].u_axis.out_enter_o }}} ==
+            {\u_dut.g_child[3].u_box.late_enter_i , \u_dut.g_child[2].u_box.late_enter_i ,
+            \u_dut.g_child[1].u_box.late_enter_i , \u_dut.g_child[0].u_box.late_enter_i } &&
+        {4{{\u_dut.g_axis[2].u_axis.out_leave_o , \u_dut.g_axis[1].u_axis.out_leave_o ,
+            \u_dut.g_axis[0].u_axis.out_leave_o }}} ==
+            {\u_dut.g_child[3].u_box.late_leave_i , \u_dut.g_child[2].u_box.late_leave_i ,
+            \u_dut.g_child[1].u_box.late_leave_i , \u_dut.g_child[0].u_box.late_leave_i } &&
+        {4{{\u_dut.g_axis[2].u_axis.out_flat_o , \u_dut.g_axis[1].u_axis.out_flat_o ,
+            \u_dut.g_axis[0].u_axis.out_flat_o }}} ==
+            {\u_dut.g_child[3].u_box.late_flat_i , \u_dut.g_child[2].u_box.late_flat_i ,
+            \u_dut.g_child[1].u_box.late_flat_i , \u_dut.g_child[0].u_box.late_flat_i } &&
+        {4{{\u_dut.g_axis[2].u_axis.out_open_o , \u_dut.g_axis[1].u_axis.out_open_o ,
+            \u_dut.g_axis[0].u_axis.out_open_o }}} ==
+            {\u_dut.g_child[3].u_box.late_open_i , \u_dut.g_child[2].u_box.late_open_i ,
+            \u_dut.g_child[1].u_box.late_open_i , \u_dut.g_child[0].u_box.late_open_i };
+    always @(posedge clk) begin
+        if (age_q != 15) age_q <= age_q + 1'b1;
+        if (age_q == 0) begin
+            {node_q, limit_q, order_q} <= {node, limit, \u_dut.g_order.t1_order };
+            begins_q <= begins;
+        end
+        if (age_q == 6) back_q <= {\u_dut.g_axis[2].u_axis.back_o , \u_dut.g_axis[1].u_axis.back_o ,
+            \u_dut.g_axis[0].u_axis.back_o };
+        if (age_q == 7) has_q <= has;
+        if (age_q == 8) ends_q <= late;
+        if (age_q == 12) limit_is_q <= {4{limit_q}} ==
+            {\u_dut.g_child[3].u_box.in_limit_i , \u_dut.g_child[2].u_box.in_limit_i ,
+            \u_dut.g_child[1].u_box.in_limit_i , \u_dut.g_child[0].u_box.in_limit_i };
+    end
+    wire [59:0]    said = {\u_dut.g_child[3].u_box.out_near_o , \u_dut.g_child[2].u_box.out_near_o ,
+            \u_dut.g_child[1].u_box.out_near_o , \u_dut.g_child[0].u_box.out_near_o };
     always @* begin
-        if (age_q == 9) assert (has_q && in_limit == {4{limit_q}});
-        if (age_q == 10) begin
-            assert (has_q && pass == said_pass && order == order_q);
-            assert (near == {1'b0, said_near[59:45], 1'b0, said_near[44:30],
-                             1'b0, said_near[29:15], 1'b0, said_near[14:0]});
+        if (age_q == 13) begin
+            assert (begins_q && has_q && ends_q && limit_is_q && order == order_q);
+            assert (pass ==
+            {\u_dut.g_child[3].u_box.out_pass_o , \u_dut.g_child[2].u_box.out_pass_o ,
+            \u_dut.g_child[1].u_box.out_pass_o , \u_dut.g_child[0].u_box.out_pass_o });
+            assert (near == {1'b0, said[59:45], 1'b0, said[44:30], 1'b0, said[29:15],
+                             1'b0, said[14:0]});
         end
     end
 endmodule

@@ -8,7 +8,8 @@
 `include "rt_layout.vh"
 `include "rt_top.vh"
 module f_control #(
-    parameter LAYERS = 0
+    parameter LAYERS = 0,
+    parameter ADDR = 32
 ) (
     input wire         clk,
     input wire         rst,
@@ -32,22 +33,24 @@ module f_control #(
     input wire         count_busy
 );
     localparam ALL = `RT_TOP_SETTINGS, OTHERS = `RT_TOP_OTHERS;
-    localparam SETTINGS = LAYERS ? ALL : ALL - `RT_TOP_SETTINGS_OF_LAYERS; // that there are
+    localparam [ALL-1:0] THERE = ~(`RT_TOP_SETTINGS_OF_LAYERS & {ALL{LAYERS == 0}} |
+                                   `RT_TOP_SETTINGS_OF_ADDR & {ALL{ADDR == 32}});
     localparam [32*ALL-1:0] RESET = `RT_TOP_SETTINGS_RESET, KEPT = `RT_TOP_SETTINGS_KEPT;
     localparam [12*ALL-1:0] AT = `RT_TOP_SETTINGS_AT;
     localparam [12*OTHERS-1:0]   OTHERS_AT = `RT_TOP_OTHERS_AT;
-    wire awready, wready, bvalid, arready, rvalid, irq;
+    wire awready, wready, bvalid, arready, rvalid, irq, busy;
     wire [1:0]  bresp, rresp;
     wire [31:0] rdata;
     wire [6:0]  order;
     wire [3:0]  machine_write;
     wire [32*ALL-1:0] settings;
-    rt_control #(.LAYERS(LAYERS)) u_dut (
+    rt_control #(.LAYERS(LAYERS), .ADDR(ADDR)) u_dut (
         .clk(clk), .rst(rst), .s_awvalid(awvalid), .s_awready(awready), .s_awaddr(awaddr),
         .s_wvalid(wvalid), .s_wready(wready), .s_wdata(wdata), .s_wstrb(wstrb),
         .s_bvalid(bvalid), .s_bready(bready), .s_bresp(bresp), .s_arvalid(arvalid),
         .s_arready(arready), .s_araddr(araddr), .s_rvalid(rvalid), .s_rready(rready),
-        .s_rdata(rdata), .s_rresp(rresp), .irq_o(irq), .built_i(built), .status_i(status),
+        .s_rdata(rdata), .s_rresp(rresp), .irq_o(irq), .busy_o(busy), .built_i(built),
+        .status_i(status),
         .errors_i(errors), .happened_i(happened), .good_i(good), .order_o(order),
         .settings_o(settings), .machine_write_o(machine_write), .write_addr_o(),
         .write_data_o(), .read_addr_o(), .machine_data_i(machine_data),
@@ -87,14 +90,14 @@ module f_control #(
     always @* begin
         known = nowhere >= `RT_TOP_COUNTERS && nowhere < `RT_TOP_COUNTERS + 8*`RT_TOP_COUNTS;
         if (nowhere >= `RT_TOP_MACHINE && nowhere < `RT_TOP_MACHINE + 4*`RT_N_REGS) known = 1'b1;
-        for (k = 0; k < SETTINGS; k = k + 1) if (nowhere == AT[12*k +: 12]) known = 1'b1;
+        for (k = 0; k < ALL; k = k + 1) if (THERE[k] && nowhere == AT[12*k +: 12]) known = 1'b1;
         for (k = 0; k < OTHERS; k = k + 1) if (nowhere == OTHERS_AT[12*k +: 12]) known = 1'b1;
     end
 
     reg        b_wait_q, r_wait_q;
     reg [1:0]  bresp_q;
     reg [33:0] r_q;
-    reg        at_place_q, at_nowhere_q, read_place_q, read_nowhere_q, read_built_q;
+    reg        at_place_q, at_nowhere_q, at_control_q, read_place_q, read_nowhere_q, read_built_q;
     reg [31:0] built_q;
     wire [2:0] word = from[4:2] - 3'd2;          // of what the block was built with
     always @(posedge clk) begin
@@ -113,6 +116,7 @@ module f_control #(
         r_wait_q <= rvalid && !rready && !rst;
         bresp_q  <= bresp;
         r_q      <= {rresp, rdata};
+        at_control_q   <= {aw_addr_q, 2'd0} == `RT_TOP_CONTROL;
         at_nowhere_q   <= {aw_addr_q, 2'd0} == nowhere;
         read_place_q   <= from == place;
         read_nowhere_q <= from == nowhere;
@@ -123,7 +127,7 @@ module f_control #(
     end
     always @* begin
         if (!old_q) assume (rst);
-        assume (number < SETTINGS && nowhere[1:0] == 0 && !known);
+        assume (number < ALL && THERE[number] && nowhere[1:0] == 0 && !known);
     end
 
     always @* if (old_q) begin
@@ -136,8 +140,9 @@ module f_control #(
         if (rvalid && !r_wait_q && read_place_q) assert (rresp == 2'b00 && rdata == was_q);
         if (rvalid && !r_wait_q && read_built_q) assert (rresp == 2'b00 && rdata == built_q);
         if (read_q) assert (rvalid);                                      // never stuck
+        assert (busy == (aw_q || w_q || ar_q || bvalid || rvalid));
         assert (settings[32*number +: 32] == value_q);                    // as it was written
-        if (order != 0) assert (does && {aw_addr_q, 2'd0} == `RT_TOP_CONTROL);
+        if (order != 0) assert (did_q && at_control_q);                   // with the answer
         if (machine_write != 0) assert (does && to_machine);
         if (irq) assert (settings[`RT_TOP_SET_INTERRUPT_ENABLE_SOURCES] != 0);
         // invariant

@@ -27,7 +27,7 @@ module f_divide #(
         .clk(clk), .rst(1'b0), .in_valid_i(in_valid), .in_ready_o(in_ready), .in_x_i(x),
         .in_d_i(d), .out_valid_o(out_valid), .out_ready_i(out_ready), .out_key_o(key)
     );
-    (* hierconn *) wire          \u_dut.full_q ;
+    (* hierconn *) wire          \u_dut.full_q , \u_dut.none_q ;
     (* hierconn *) wire [CW-1:0] \u_dut.count_q ;
     (* hierconn *) wire [DW-1:0] \u_dut.rem_q , \u_dut.d_q ;
     (* hierconn *) wire [MW-1:0] \u_dut.low_q ;
@@ -67,13 +67,15 @@ module f_divide #(
     end
     always @(posedge clk) begin
         took_q  <= in_valid && in_ready;
-        round_q <= !(in_valid && in_ready) && \u_dut.full_q && \u_dut.count_q != 0;
+        round_q <= !(in_valid && in_ready) && \u_dut.full_q && !\u_dut.none_q ;
         count_q <= \u_dut.count_q ;
         in_d_q  <= in_valid && in_ready ? d : \u_dut.d_q ;
         rem_q   <= \u_dut.rem_q ;
         low_q   <= \u_dut.low_q ;
     end
+    always @* if (age_q == 0) assume (\u_dut.none_q == (\u_dut.count_q == 0));
     always @* if (age_q == 1 && MULTIPLY == 0) begin
+        assert (\u_dut.none_q == (\u_dut.count_q == 0));
         assume (rem_q < in_d_q || took_q);
         assume (count_q <= ROUNDS);
         if (took_q) assert (\u_dut.count_q == ROUNDS && \u_dut.d_q == d_q);

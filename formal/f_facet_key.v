@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A hit is taken in the first clock, with any hit or none in the dividers, and others behind it.
 // Products are known by their factors, quotients by their operands, and come at any time. If the
-// hit's result leaves within T clocks, it has its own tag and is made of its own quotients.
+// hit's result is there within T clocks, it has its own tag and is made of its own quotients; the
+// register behind keeps it.
 `timescale 1ns / 1ps
 `default_nettype none
 module f_facet_key #(
@@ -36,7 +37,9 @@ module f_facet_key #(
         .in_size_i(size), .out_valid_o(out_valid), .out_ready_i(out_ready), .out_tag_o(out_tag),
         .out_key_o(out_key)
     );
-    (* hierconn *) wire       \u_dut.k_past_q ;
+    (* hierconn *) wire       \u_dut.k_past_q , \u_dut.k_ready ;
+    (* hierconn *) wire [3:0] \u_dut.k_tag_q ;
+    (* hierconn *) wire [QW:0] \u_dut.k_key ;
     (* hierconn *) wire       \u_dut.u_product.busy_q  ;
     (* hierconn *) wire [1:0] \u_dut.u_product.come_q ;
     (* hierconn *) wire       \u_dut.u_divide.full_q ;
@@ -78,9 +81,14 @@ module f_facet_key #(
 
     reg [5:0] age_q = 6'd0;
     reg       before_q, mine_q, good_q = 1'b1;       // a hit before it; it is inside
-    wire      leaves = out_valid && out_ready;
+    wire      leaves = \u_dut.k_ready ;
+    reg       kept_q = 1'b0;                         // what the register must have
+    reg [QW+4:0] word_q;
     always @(posedge clk) begin
         if (age_q != 63) age_q <= age_q + 1'b1;
+        kept_q <= leaves || (out_valid && !out_ready);
+        word_q <= leaves ? {\u_dut.k_tag_q , \u_dut.k_key } : {out_tag, out_key};
+        if (kept_q && !(out_valid && {out_tag, out_key} == word_q)) good_q <= 1'b0;
         if (age_q == 0) begin
             {plane_q, tag_q, det_q, num_q, a_q, room_q, size_q} <=
                 {plane, tag, det, num, a, room, size};
@@ -89,7 +97,8 @@ module f_facet_key #(
         end else begin
             if (leaves) before_q <= 1'b0;
             if (leaves && !before_q) mine_q <= 1'b0;
-            if (leaves && !before_q && mine_q && !(own && out_tag == tag_q && out_key == key))
+            if (leaves && !before_q && mine_q &&
+                !(own && \u_dut.k_tag_q == tag_q && \u_dut.k_key == key))
                 good_q <= 1'b0;
             if ((idle && !in_valid && !even) || !sane) good_q <= 1'b0;
             if (mine_q && in_valid && in_ready && !\u_dut.u_divide.full_q ) good_q <= 1'b0;

@@ -1,6 +1,6 @@
 // f_facet_way.v - proof of what waits for a facet's sums: its group, the room and size of its ray
 // SPDX-License-Identifier: Apache-2.0
-// From any state: a facet is taken in clock 0, and in clock 2 the queue is given what
+// From any state: a facet is taken in clock 0, and in clock 3 the queue is given what
 // sph_facet_own() and end() of cmodel/prim/facet.c have: whether the ray's skip is of its group,
 // the longest axis of dir, of equal ones the first, and along it the room to one unit beyond the
 // grid, and |dir|.
@@ -23,14 +23,14 @@ module f_facet_way #(
         .clk(clk), .rst(1'b0), .in_valid_i(test[0]), .in_ready_o(ready),
         .test_i(test[`RT_TEST_BITS:1]), .result_ready_i(result_ready)
     );
-    (* hierconn *) wire          \u_dut.t2_q , \u_dut.t2_own_q ;
+    (* hierconn *) wire          \u_dut.t3_q , \u_dut.t3_own_q ;
     (* hierconn *) wire [W:0]    \u_dut.w_room ;
     (* hierconn *) wire [WD-1:0] \u_dut.w_size ;
     wire [`RT_TEST_BITS-1:0] test_in = test[`RT_TEST_BITS:1];
-    reg  [1:0] age_q = 2'd0;
+    reg  [2:0] age_q = 3'd0;
     reg  [`RT_TEST_BITS-1:0] test_q;
     always @(posedge clk) begin
-        if (age_q != 3) age_q <= age_q + 1'b1;
+        if (age_q != 7) age_q <= age_q + 1'b1;
         if (age_q == 0) test_q <= test_in;
     end
 
@@ -55,8 +55,8 @@ module f_facet_way #(
                                                                  : room_of(dir_0, org_0);
     always @* begin
         if (age_q == 0) assume (test[0] && ready);
-        if (age_q == 2) begin
-            assert (\u_dut.t2_q && \u_dut.t2_own_q == own);
+        if (age_q == 3) begin
+            assert (\u_dut.t3_q && \u_dut.t3_own_q == own);
             assert (\u_dut.w_room == room && \u_dut.w_size == size);
         end
     end

@@ -4,10 +4,12 @@
 // of any group, its Rendering, L1 and L2, each through address and format to its own layer.
 `timescale 1ns / 1ps
 `default_nettype none
-module f_frame_layers (
+module f_frame_layers #(
+    parameter ADDR = 32
+) (
     input wire         clk,
     input wire         rst,
-    input wire [31:0]  base,
+    input wire [ADDR-1:0] base,
     input wire [1:0]   mux,
     input wire         begins,
     input wire [15:0]  stride,
@@ -24,7 +26,7 @@ module f_frame_layers (
 );
     wire empty, idle, pix_ready;
     wire [3:0] pixels;
-    rt_frame_write #(.DATA(64), .BUFFERS(4), .LAYERS(1)) u_dut (
+    rt_frame_write #(.DATA(64), .BUFFERS(4), .LAYERS(1), .ADDR(ADDR)) u_dut (
         .clk(clk), .rst(rst), .base_i(base), .begin_i(begins), .mux_i(mux), .stride_i(stride),
         .rgb565_i(rgb565), .layer_i(layer), .cut_i(cut), .dead_i(dead), .forget_i(1'b0),
         .flush_i(flush), .empty_o(empty), .idle_o(idle), .stall_o(), .slverr_o(), .decerr_o(),
@@ -46,7 +48,7 @@ module f_frame_layers (
     // what goes to the bus
     (* hierconn *) wire         \u_dut.u_write.group_valid_i ;
     (* hierconn *) wire         \u_dut.u_write.group_ready_o ;
-    (* hierconn *) wire [31:0]  \u_dut.u_write.group_addr_i ;
+    (* hierconn *) wire [ADDR-1:0] \u_dut.u_write.group_addr_i ;
     (* hierconn *) wire [31:0]  \u_dut.u_write.group_strobe_i ;
     (* hierconn *) wire [255:0] \u_dut.u_write.group_data_i ;
     // of the frame
@@ -55,7 +57,7 @@ module f_frame_layers (
     (* hierconn *) wire [29:0]  \u_dut.row_q ;
     (* hierconn *) wire         \u_dut.rgb565_q ;
     (* hierconn *) wire [31:0]  \u_dut.g_layers.layer_bytes_q ;
-    (* hierconn *) wire [31:0]  \u_dut.g_layers.base_q ;
+    (* hierconn *) wire [ADDR-1:0] \u_dut.g_layers.base_q ;
     (* hierconn *) wire [1:0]   \u_dut.g_layers.layer_q ;
 
     // ---- model: the burst that is between, of the group that waits ----
@@ -66,8 +68,10 @@ module f_frame_layers (
     wire in   = \u_dut.row_valid_q && (!there_q || out);
     wire [71:0] all = \u_dut.u_groups.group_rgb_o [72*p +: 72];
     reg  [1:0]  turn_q;                   // the layer that is next of the group
-    reg  [31:0] layer_q, base_q, addr_q;
-    wire [31:0] past = turn_q == 0 ? 0 : turn_q == 1 ? layer_q : 2 * layer_q; // layers before it
+    reg  [31:0] layer_q;
+    reg  [ADDR-1:0] base_q, addr_q;
+    // layers before it
+    wire [ADDR-1:0] past = turn_q == 0 ? 0 : turn_q == 1 ? layer_q : 2 * layer_q;
     reg  [23:0] rgb_q;
     reg  [7:0]  mask_q;
     reg  [29:0] row_q;                    // product of these, of the clock before

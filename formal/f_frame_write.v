@@ -5,10 +5,12 @@
 // those. Followed is one byte of any group, through mux, address and format.
 `timescale 1ns / 1ps
 `default_nettype none
-module f_frame_write (
+module f_frame_write #(
+    parameter ADDR = 32
+) (
     input wire         clk,
     input wire         rst,
-    input wire [31:0]  base,
+    input wire [ADDR-1:0] base,
     input wire [1:0]   mux,
     input wire         begins,
     input wire [15:0]  stride,
@@ -24,7 +26,7 @@ module f_frame_write (
 );
     wire empty, idle, burst, pix_ready;
     wire [3:0] pixels;
-    rt_frame_write #(.DATA(64), .BUFFERS(4)) u_dut (
+    rt_frame_write #(.DATA(64), .BUFFERS(4), .ADDR(ADDR)) u_dut (
         .clk(clk), .rst(rst), .base_i(base), .mux_i(mux), .begin_i(begins), .stride_i(stride),
         .rgb565_i(rgb565), .layer_i(32'd0), .cut_i(cut), .dead_i(dead), .forget_i(1'b0),
         .flush_i(flush), .empty_o(empty), .idle_o(idle), .stall_o(), .slverr_o(), .decerr_o(),
@@ -48,7 +50,7 @@ module f_frame_write (
     // what goes to the bus
     (* hierconn *) wire         \u_dut.u_write.group_valid_i ;
     (* hierconn *) wire         \u_dut.u_write.group_ready_o ;
-    (* hierconn *) wire [31:0]  \u_dut.u_write.group_addr_i ;
+    (* hierconn *) wire [ADDR-1:0] \u_dut.u_write.group_addr_i ;
     (* hierconn *) wire         \u_dut.u_write.group_half_i ;
     (* hierconn *) wire [31:0]  \u_dut.u_write.group_strobe_i ;
     (* hierconn *) wire [255:0] \u_dut.u_write.group_data_i ;
@@ -69,7 +71,7 @@ module f_frame_write (
     reg         old_q = 1'b0, begun_q = 1'b0, there_q, half_q;
     reg  [1:0]  mux_q;
     reg  [15:0] stride_q;
-    reg  [31:0] addr_q;
+    reg  [ADDR-1:0] addr_q;
     reg  [23:0] rgb_q;
     reg  [7:0]  mask_q;
     reg  [29:0] row_q;                    // product of these, of the clock before

@@ -4,10 +4,12 @@
 // display takes at any time.
 `timescale 1ns / 1ps
 `default_nettype none
-module f_frames (
+module f_frames #(
+    parameter ADDR = 32
+) (
     input wire        clk,
     input wire        rst,
-    input wire [95:0] bases,
+    input wire [3*ADDR-1:0] bases,
     input wire        waits,
     input wire        clear,
     input wire        load,
@@ -17,9 +19,9 @@ module f_frames (
     input wire        take
 );
     wire room, show_valid, swap, again, lost;
-    wire [31:0] draw_base, show_base;
+    wire [ADDR-1:0] draw_base, show_base;
     wire [1:0]  drawn, newest, shown;
-    rt_frames u_dut (
+    rt_frames #(.ADDR(ADDR)) u_dut (
         .clk(clk), .rst(rst), .bases_i(bases), .wait_i(waits), .layer_i(32'd0), .mux_i(2'd0),
         .cfg_valid_i(1'b0), .cfg_addr_i(7'd0), .cfg_data_i(32'd0), .clear_i(clear), .load_i(load),
         .begin_i(begins),
@@ -28,9 +30,9 @@ module f_frames (
         .lost_o(lost), .drawn_o(drawn), .newest_o(newest), .shown_o(shown)
     );
     (* hierconn *) wire \u_dut.fresh_q ;
-    (* hierconn *) wire [31:0] \u_dut.newest_base_q ;
+    (* hierconn *) wire [ADDR-1:0] \u_dut.newest_base_q ;
     reg        old_q = 1'b0, drawing_q, fresh_q, calm_q, valid_q;
-    reg [31:0] base_q, complete_q, wanted_q;  // complete_q: where the newest frame was drawn
+    reg [ADDR-1:0] base_q, complete_q, wanted_q;  // complete_q: where the newest frame was drawn
     always @(posedge clk) begin
         old_q <= 1'b1;
         if (take) fresh_q <= 1'b0;

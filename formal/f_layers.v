@@ -5,10 +5,12 @@
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
-module f_layers (
+module f_layers #(
+    parameter ADDR = 32
+) (
     input wire        clk,
     input wire        rst,
-    input wire [95:0] bases,
+    input wire [3*ADDR-1:0] bases,
     input wire        waits,
     input wire [31:0] layer_bytes,
     input wire [1:0]  mux,
@@ -23,9 +25,9 @@ module f_layers (
     input wire        take
 );
     wire room, show_valid, swap;
-    wire [31:0] draw_base, show_base;
+    wire [ADDR-1:0] draw_base, show_base;
     wire [1:0]  drawn, newest, shown;
-    rt_frames #(.LAYERS(1)) u_dut (
+    rt_frames #(.LAYERS(1), .ADDR(ADDR)) u_dut (
         .clk(clk), .rst(rst), .bases_i(bases), .wait_i(waits), .layer_i(layer_bytes),
         .mux_i(mux), .cfg_valid_i(cfg_valid), .cfg_addr_i(cfg_addr), .cfg_data_i(cfg_data),
         .clear_i(clear), .load_i(load), .begin_i(begins), .end_i(ends), .good_i(good),
@@ -34,8 +36,8 @@ module f_layers (
         .newest_o(newest), .shown_o(shown)
     );
     (* hierconn *) wire        \u_dut.fresh_q ;
-    (* hierconn *) wire [31:0] \u_dut.newest_base_q ;
-    (* hierconn *) wire [31:0] \u_dut.shown_base_q ;
+    (* hierconn *) wire [ADDR-1:0] \u_dut.newest_base_q ;
+    (* hierconn *) wire [ADDR-1:0] \u_dut.shown_base_q ;
     (* hierconn *) wire [1:0]  \u_dut.g_layers.layer_q ;
     (* hierconn *) wire [1:0]  \u_dut.g_layers.newest_q ;
     (* hierconn *) wire [1:0]  \u_dut.g_layers.shown_q ;
@@ -43,9 +45,9 @@ module f_layers (
     // ---- model: a frame has an address and a layer of its own, from its beginning on ----
     reg        old_q = 1'b0, drawing_q, fresh_q, calm_q, valid_q, known_q;
     reg [1:0]  frame_q, drawn_q, newest_q, shown_q;   // register FRAME, and of these frames
-    reg [31:0] newest_base_q, shown_base_q, place_q, base_q;
+    reg [ADDR-1:0] newest_base_q, shown_base_q, place_q, base_q;
     wire [1:0]  frame = cfg_data[1:0] == 2'd3 ? 2'd2 : cfg_data[1:0];
-    wire [31:0] root  = fresh_q ? newest_base_q : shown_base_q;
+    wire [ADDR-1:0] root  = fresh_q ? newest_base_q : shown_base_q;
     wire [1:0]  own   = fresh_q ? newest_q : shown_q;
     wire [1:0]  layer = mux == 2'd0 ? own : mux - 2'd1;
     always @(posedge clk) begin

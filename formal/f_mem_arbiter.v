@@ -41,7 +41,7 @@ module f_mem_arbiter #(
         .mem_rsp_data_i(mem_rsp_data), .mem_rsp_error_i(mem_rsp_error)
     );
     (* hierconn *) wire [AB-1:0]        \u_dut.coming_q ;
-    (* hierconn *) wire                 \u_dut.full_q ;
+    (* hierconn *) wire                 \u_dut.came_q , \u_dut.full_q ;
     (* hierconn *) wire [CLIENTS-1:0]   \u_dut.owner_q ;
     (* hierconn *) wire [2*CLIENTS-1:0] \u_dut.g_beats.beats_q ;
     (* hierconn *) wire [NB-1:0]        \u_dut.g_beats.g_beat[0].u_beat.mark ;
@@ -147,7 +147,8 @@ module f_mem_arbiter #(
 
     always @* if (old_q) begin
         assert ((taken & (taken - 1'b1)) == 0);                  // one a clock
-        assert (sum == \u_dut.coming_q && sum <= PENDING);       // each is asked for, once
+        assert (sum + \u_dut.came_q == \u_dut.coming_q );        // each is asked for, once
+        assert (\u_dut.coming_q <= PENDING);
         if (mem_req_valid) assert (mem_req_tag < CLIENTS);
         if (asking_q) assert (mem_req_valid && {mem_req_tag, mem_req_line} == request_q);
         if (marked_q && newest_q && mem_req_valid)
@@ -162,7 +163,7 @@ module f_mem_arbiter #(
         assert (\u_dut.u_turns.above_q == ({CLIENTS{1'b1}} << low) || low == CLIENTS);
         // never stuck: a beat and a request move if clients and memory are ready
         if (&rsp_ready) assert (mem_rsp_ready && rsp_valid == given);
-        if (|req_valid && mem_req_ready && sum != PENDING) assert (take);
+        if (|req_valid && mem_req_ready && \u_dut.coming_q != PENDING) assert (take);
         // invariant
         if (\u_dut.full_q )
             assert (\u_dut.owner_q != 0 && (\u_dut.owner_q & (\u_dut.owner_q - 1'b1)) == 0);

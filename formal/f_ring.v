@@ -61,6 +61,8 @@ module f_ring #(
     );
     (* hierconn *) wire [SLOTW:0] \u_new.wr_q , \u_new.rd_q , \u_next.wr_q , \u_next.rd_q ;
     (* hierconn *) wire [SLOTW:0] \u_rest.wr_q , \u_rest.rd_q ;
+    (* hierconn *) wire \u_new.some_q , \u_new.room_q , \u_next.some_q , \u_next.room_q ;
+    (* hierconn *) wire \u_rest.some_q , \u_rest.room_q ;
     (* hierconn *) wire \u_dut.again_q , \u_dut.s1_valid_q , \u_dut.s2_valid_q , \u_dut.s3_valid_q ;
     (* hierconn *) wire [SLOTW-1:0] \u_dut.u_found.mark , \u_dut.u_current.mark ;
     (* hierconn *) wire [SLOTW+$clog2(DEPTH)-1:0] \u_dut.u_stack.mark ;
@@ -116,6 +118,10 @@ module f_ring #(
         // what f_traversal_stack.v assumes: no second token of a slot
         if (to_next && rest_slot == slot)
             assert (!again_mine && !s1_mine && !s2_mine && !s3_mine && !issue_mine && !done_mine);
+        // f_fifo.v: flags of a queue
+        assert (\u_new.some_q == (n_new != 0) && \u_new.room_q == (n_new != SLOTS));
+        assert (\u_next.some_q == (n_next != 0) && \u_next.room_q == (n_next != SLOTS));
+        assert (\u_rest.some_q == (n_rest != 0) && \u_rest.room_q == (n_rest != SLOTS));
         // tokens: as many as slots, each slot's in one place
         assert (all == SLOTS);
         assert (n_new <= SLOTS && n_next <= SLOTS && n_rest <= SLOTS && idle_q <= SLOTS);

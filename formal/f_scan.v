@@ -10,6 +10,7 @@ module f_scan #(
     parameter DATA  = 64,
     parameter BURST = 4,
     parameter DEPTH = 16,
+    parameter ADDR  = 32,
     parameter CB    = $clog2(DEPTH) + 1
 ) (
     input wire        clk,
@@ -18,7 +19,7 @@ module f_scan #(
     input wire        forget,        // the bus was reset
     input wire        frame,
     input wire        show_valid,
-    input wire [31:0] show_base,
+    input wire [ADDR-1:0] show_base,
     input wire        arready,
     input wire        rvalid,
     input wire [DATA-1:0] rdata,
@@ -32,13 +33,13 @@ module f_scan #(
     (* anyconst *) wire        twice;
     (* anyconst *) wire [15:0] stride;
     wire arvalid, rready, take, word_valid, error, stall;
-    wire [31:0] araddr;
+    wire [ADDR-1:0] araddr;
     wire [7:0]  arlen;
     wire [2:0]  arsize;
     wire [1:0]  arburst;
     wire [DATA+1:0] word;
     reg  [CB-1:0] count_q;           // words of the queue
-    rt_scan #(.DATA(DATA), .BURST(BURST), .DEPTH(DEPTH)) u_dut (
+    rt_scan #(.DATA(DATA), .BURST(BURST), .DEPTH(DEPTH), .ADDR(ADDR)) u_dut (
         .clk(clk), .rst(rst), .enable_i(enable), .forget_i(forget), .h_active_i(h_active),
         .v_active_i(v_active),
         .rgb565_i(rgb565), .double_i(twice), .stride_i(stride), .frame_i(frame), .take_o(take),
@@ -46,13 +47,14 @@ module f_scan #(
         .m_scan_arready(arready), .m_scan_araddr(araddr), .m_scan_arlen(arlen),
         .m_scan_arsize(arsize), .m_scan_arburst(arburst), .m_scan_rvalid(rvalid),
         .m_scan_rready(rready), .m_scan_rdata(rdata), .m_scan_rresp(rresp), .error_o(error),
-        .stall_o(stall), .word_valid_o(word_valid), .word_data_o(word), .word_count_i(count_q)
+        .stall_o(stall), .idle_o(), .word_valid_o(word_valid), .word_data_o(word),
+        .word_count_i(count_q)
     );
     (* hierconn *) wire [CB-1:0] \u_dut.owed_q ;
     (* hierconn *) wire          \u_dut.read_q ;
     (* hierconn *) wire          \u_dut.stale_q ;
-    (* hierconn *) wire [31:0]   \u_dut.row_q ;
-    (* hierconn *) wire [31:0]   \u_dut.addr_q ;
+    (* hierconn *) wire [ADDR-1:0] \u_dut.row_q ;
+    (* hierconn *) wire [ADDR-1:0] \u_dut.addr_q ;
     (* hierconn *) wire [12:0]   \u_dut.left_q ;
     (* hierconn *) wire [12:0]   \u_dut.rows_q ;
     (* hierconn *) wire          \u_dut.begin_q ;
@@ -66,7 +68,7 @@ module f_scan #(
     reg          old_q = 1'b0;
     reg [CB+8:0] owed_q;             // asked for and not yet come
     reg          wait_q;
-    reg [31:0]   wait_addr_q;
+    reg [ADDR-1:0] wait_addr_q;
     reg [7:0]    wait_len_q;
     wire         ask  = arvalid && arready;
     wire         beat = rvalid && rready;
@@ -89,11 +91,11 @@ module f_scan #(
         if (rvalid) assume (owed_q != 0);
     end
 
-    wire [31:0] last = araddr + (length - 1'b1) * BYTES;
+    wire [ADDR-1:0] last = araddr + (length - 1'b1) * BYTES;
     always @* if (old_q) begin
         if (wait_q) assert (arvalid && araddr == wait_addr_q && arlen == wait_len_q);
         if (arvalid) begin
-            assert (araddr[31:12] == last[31:12]);                    // within 4 KiB
+            assert (araddr[ADDR-1:12] == last[ADDR-1:12]);                    // within 4 KiB
             assert (araddr % BYTES == 0 && arlen < BURST);
         end
         assert (arburst == 2'b01 && (1 << arsize) == BYTES);

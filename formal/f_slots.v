@@ -53,6 +53,11 @@ module f_slots #(
     (* hierconn *) wire [SLOTW:0] \u_dut.g_probe.u_probe.u_queue.rd_q ;
     (* hierconn *) wire \u_dut.free_valid , \u_dut.filling , \u_dut.again_valid ;
     (* hierconn *) wire \u_dut.o_blend , \u_dut.o_sky , \u_dut.o_load , \u_dut.o_blend_in ;
+    (* hierconn *) wire \u_dut.g_setup[0].u_free.some_q , \u_dut.g_setup[0].u_free.room_q ;
+    (* hierconn *) wire \u_dut.u_blended.some_q , \u_dut.u_blended.room_q ;
+    (* hierconn *) wire \u_dut.u_skies.some_q , \u_dut.u_skies.room_q ;
+    (* hierconn *) wire \u_dut.g_probe.u_probe.u_queue.some_q ;
+    (* hierconn *) wire \u_dut.g_probe.u_probe.u_queue.room_q ;
     (* hierconn *) wire \u_dut.o_turn_blend , \u_dut.o_turn_sky ;
     (* hierconn *) wire [1:0] \u_dut.u_delivery.above_q ;
     (* hierconn *) wire \u_dut.o_sky_in , \u_dut.free_in , \u_dut.p_valid_q , \u_dut.sky_q ;
@@ -153,6 +158,15 @@ module f_slots #(
         if (end_valid)       assert (\u_dut.o_blend_in );
         if (\u_dut.sky_q )   assert (\u_dut.o_sky_in );
         if (to_again)        assert (\u_dut.g_probe.u_probe.q_in );
+        // f_fifo.v: flags of a queue
+        assert (\u_dut.g_setup[0].u_free.some_q == (n_free != 0) &&
+                \u_dut.g_setup[0].u_free.room_q == (n_free != SLOTS));
+        assert (\u_dut.u_blended.some_q == (n_blend != 0) &&
+                \u_dut.u_blended.room_q == (n_blend != SLOTS));
+        assert (\u_dut.u_skies.some_q == (n_sky != 0) &&
+                \u_dut.u_skies.room_q == (n_sky != SLOTS));
+        assert (\u_dut.g_probe.u_probe.u_queue.some_q == (n_again != 0) &&
+                \u_dut.g_probe.u_probe.u_queue.room_q == (n_again != SLOTS));
         // tokens: as many as slots, each slot's in one place; a ray is hit, miss, shadow or sky
         assert (all == SLOTS);
         assert (unborn + free_mine_q + rest_mine_q + again_mine_q + blended_mine_q + skies_mine_q +

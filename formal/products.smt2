@@ -12,6 +12,13 @@
 (set-info :status unsat) (check-sat)
 (pop) (pop)
 
+; ---- the frame of a box: (v - s) g = v g - s g, for v without its sign ----
+(declare-const w Int)
+(push)
+(assert (not (= (* (- v w) g) (- (* v g) (* w g)))))
+(set-info :status unsat) (check-sat)
+(pop)
+
 ; ---- no product is longer than that of the longest factors ----
 (declare-const x Int) (declare-const y Int) (declare-const m Int) (declare-const n Int)
 (push)

@@ -117,14 +117,14 @@ lemma() { # every check-sat says what `:status` before it says
 }
 program() { # with the model's own functions; exit 0: all inputs hold, 1: one does not
     sources= sets=
-    for f in trace/filter trace/across trace/setup prim/leaf math/rsqrt math/isqrt math/quotient \
-        core/stages; do
+    for f in trace/filter trace/setup prim/sphere math/arith core/stages; do
         sources="$sources cmodel/$f.c"
     done
     for p in $3; do sets="$sets -D$p"; done
     # shellcheck disable=SC2086  # lists of words
-    $CC -std=c11 -O2 -Wall -Wextra -Wconversion -Wshadow -Werror -Icmodel $sets -o "$dir/$1" \
-        "formal/$2" $sources >"$dir/$1.log" 2>&1 || { verdict=error; return; }
+    $CC -std=c11 -O2 -Wall -Wextra -Wconversion -Wshadow -Werror -ffunction-sections \
+        -fdata-sections -Wl,--gc-sections -Icmodel $sets -o "$dir/$1" "formal/$2" $sources \
+        >"$dir/$1.log" 2>&1 || { verdict=error; return; }
     $NICE "$dir/$1" >>"$dir/$1.log" 2>&1
     case $? in 0) verdict=proved ;; 1) verdict="an input fails" ;; *) verdict=error ;; esac
 }

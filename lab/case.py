@@ -1,8 +1,8 @@
 # case.py - a scene's case on one page: accuracy, hard tests, its own core, what limits it
 # SPDX-License-Identifier: Apache-2.0
 """Writes FOLDER/case.html of what `make sim` left there, and links it from report.html. Cells that
-no page has are synthesised (kept in BUILD/synth) unless CELLS=0; with RTL=1 the whole core is
-simulated, too."""
+neither a page nor BUILD/synth has are estimated, with CELLS=1 synthesised; with RTL=1 the whole
+core is simulated, too."""
 import json
 import os
 import shlex
@@ -20,7 +20,6 @@ from .synth import results
 
 PIXELS = "8192"     # that a table of prices looks at, as in the report of make sim
 SIZES = ("ENGINES", "PIPES", "LEAF_UNITS", "SHADES", "ROOT_STEP", "QUOTIENT_STEP", "SIZES")
-AREA = ("lut4eq", "mult", "bram")
 JUDGED = ("rays", "hits", "roots", "pairs")     # of floats: what may be wrong
 
 
@@ -30,8 +29,8 @@ def tool(build, *words):
 
 
 def asked(run, build, command, *more):
-    """The report of a command for the scene of the run, with all that the scene names: the run's
-    machine lacks what no ray meets, as the exact tests find it."""
+    """The report of a command for the scene of the run. All but `price` take all that the scene
+    names."""
     return json.loads(tool(build, command, run.built["input"],
                            *shlex.split(run.key["BUILD_OPTIONS"]), *more, "--json", "-"))
 
@@ -87,30 +86,51 @@ def floats(run, build):
 
 # ---- own core ----
 def of_pages():
-    """{(profile, core, pipes): cells} of `make effects`: own cores, and whole ones beside them."""
-    found, (head, rows) = known.cells(), data.read("effects.prices")
+    """{core: cells} of whole cores, by `make effects`."""
+    found, (head, rows) = {}, data.read("effects.prices")
     for row in rows:
         cell = dict(zip(head, (word.strip("`") for word in row)))
         core = {"all": "all", "everything": WHOLE}.get(cell["core"])
         if core:
-            found["standard", core, 1] = [cell[what] for what in ("LUT4eq", "MULT18X18D", "DP16KD")]
+            found[core] = [int(cell[what]) for what in ("LUT4eq", "MULT18X18D", "DP16KD")]
     return found
 
 
-def cells(run, build, cores):
-    """{core: cells}, of pages, else of Yosys; with CELLS=0 what was not synthesised is missing."""
-    profile, told, found = run.machine["profile"], of_pages(), {}
+def of_whole(profile, core):
+    """Cells of a whole core and some words more: what a page has, or estimated as the tool does
+    for own cores; None: nothing is known."""
+    told, area = of_pages(), known.cells()
+    base = max((name for name in told if f"{core}+".startswith(f"{name}+")), key=len, default=None)
+    own, standard = ((area.get((name, known.CORE, 1)) for name in (profile, "standard")))
+    more = core[len(base):].split("+")[1:] if base else []
+    costs = known.words(area)
+    if not base or not own or not all(word in costs for word in more):
+        return None
+    ratio = int(own[0]) / int(standard[0])
+    counts = [count + sum(costs[word][i] for word in more) for i, count in enumerate(told[base])]
+    return dict(zip(price.AREA, [round(ratio * counts[0]), *counts[1:]])) | {
+        "estimated": bool(more) or profile != "standard"}
+
+
+def cells(run, build, row, cores):
+    """{core: cells}: of the run's own core those of its row of the table, of others those of pages;
+    what is estimated there, of Yosys if that was done before or is asked for."""
+    profile = run.machine["profile"]
     sizes = {name: run.key[name] for name in SIZES if run.key.get(name)}
     keys = {core: clocks.key(profile, core, **sizes) for core in cores}
+    found = {}
     for core, key in keys.items():
-        if key == f"{profile}-ecp5-{core}-engines1" and (profile, core, 1) in told:
-            found[core] = dict(zip(AREA, map(int, told[profile, core, 1])))
-    missing = [core for core in cores if core not in found]
-    if missing and os.environ.get("CELLS") != "0":
-        print("  SYNTH", *(keys[core] for core in missing), flush=True)
-        results.synthesise(build, missing, PROFILES=profile, **sizes)
-        found |= {core: results.read(Path(build, "synth", keys[core]))["core"] for core in missing}
-    return found
+        if key == f"{profile}-ecp5-{core}-engines1":
+            found[core] = row["cells"] if row and core == row["core"] else of_whole(profile, core)
+    guessed = [core for core in cores if (found.get(core) or {"estimated": True})["estimated"]]
+    made = [core for core in guessed if Path(build, "synth", keys[core], "stat.json").exists()
+            or os.environ.get("CELLS") == "1"]
+    if made:
+        print("  SYNTH", *(keys[core] for core in made), flush=True)
+        results.synthesise(build, made, PROFILES=profile, **sizes)
+    for core in made:
+        found[core] = results.read(Path(build, "synth", keys[core]))["core"] | {"estimated": False}
+    return {core: of for core, of in found.items() if of}
 
 
 def on_rtl(run, build, core):
@@ -128,10 +148,11 @@ def on_rtl(run, build, core):
 def own_core(run, build, table):
     own = run.report.get("core", "all")
     every = whole(own)
-    area = cells(run, build, list(dict.fromkeys([own, every])))
-    pixels, profile = run.report["pixels"], run.machine["profile"]
     row = of_profile(run, table)
-    all_on = of_profile(run, prices(run, build, "--profile", profile, *forced([])))
+    area = cells(run, build, row, list(dict.fromkeys([own, every])))
+    pixels, profile = run.report["pixels"], run.machine["profile"]
+    all_on = of_profile(run, prices(run, build, "--profile", profile, "--effects", "all",
+                                    *forced([])))
 
     def clocks_of(row):
         return "-" if row is None else number(row["cycles_per_pixel"], 2)
@@ -139,7 +160,8 @@ def own_core(run, build, table):
               on_rtl(run, build, every) if os.environ.get("RTL") == "1" else None]
     cycles = ["-" if count is None else number(count / pixels, 2) for count in cycles + [None]]
     body = [[name, f"<code>{core}</code>",
-             *("-" if core not in area else number(area[core][what]) for what in AREA), rtl, model]
+             *("-" if core not in area else "~" * area[core]["estimated"] + number(area[core][what])
+               for what in price.AREA), rtl, model]
             for name, core, rtl, model in zip(
                 ("its own", "the whole one, the same machine", "the whole one, all effects on"),
                 (own, every, every), cycles, (clocks_of(row), clocks_of(row), clocks_of(all_on)))]
@@ -147,7 +169,8 @@ def own_core(run, build, table):
             + html.table(["core", "built with", "LUT4eq", "MULT", "RAM", "cycles a pixel, RTL",
                           "by the model's counters"], body, range(2, 7))
             + f"<p class='soft'>Profile {text(profile)}, ECP5. All effects on: shadow, mirror and "
-            "inside rays are traced though no pixel needs them. -: not measured (CELLS, RTL).</p>"
+            "inside rays are traced though no pixel needs them. ~: estimated from cores that were "
+            "synthesised; CELLS=1 synthesises these. -: not measured (RTL=1).</p>"
             "<p>Energy: not measured.</p>" + left_out(run.built["build"]) + page.effects(run))
 
 

@@ -26,6 +26,8 @@ class Clock(NamedTuple):
     """Of one routed core."""
     mhz: float  # median of the seeds
     seeds: int
+    worst: float
+    best: float
 
 
 @lru_cache(maxsize=None)
@@ -47,7 +49,8 @@ def clock(core, speed=SPEED):
     """The Clock of that very core, None: nobody has routed it."""
     for row in rows():
         if (row["core"], row["speed grade"], row["after"]) == (core, speed, "routing"):
-            return Clock(float(row["median, MHz"]), int(row["seeds"]))
+            return Clock(float(row["median, MHz"]), int(row["seeds"]), float(row["worst, MHz"]),
+                         float(row["best, MHz"]))
     return None
 
 
@@ -58,6 +61,15 @@ def mhz(core):
         return NOT
     few = f" ({found.seeds} seed{'s' * (found.seeds > 1)})" if found.seeds < SEEDS else ""
     return f"{found.mhz:.1f}{few}"
+
+
+def spread(core):
+    """In words, with the worst and the best of the seeds: 127.5 (122.7 to 133.5)."""
+    found = clock(core)
+    if not found or found.seeds == 1:
+        return mhz(core)
+    few = f", {found.seeds} seeds" if found.seeds < SEEDS else ""
+    return f"{found.mhz:.1f} ({found.worst:.1f} to {found.best:.1f}{few})"
 
 
 def frames(core, clocks, form="{:.1f}"):

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """usage: python3 -m lab coverage BUILD [MODULE...]
 Verilator counts how often a branch of a module is taken and each bit of its ports and registers
-changes. A module's bench runs with 3000 vectors in its first MOST lines of tb/benches*.txt; what
+changes. A module's bench runs with 3000 vectors in its first MOST lines of tb/benches.txt; what
 any of them meets counts. Without MODULEs those of at most LINES lines of code. The table goes into
 docs/results/verification.md."""
 import glob

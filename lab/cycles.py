@@ -24,7 +24,7 @@ def foretold(tool, scene, profile, accel, pipes):
     with tempfile.TemporaryDirectory() as folder:
         file = scene_file(tool, scene, f"{folder}/scene.nff")
         report = json.loads(said(tool, "price", file, "--size", SIZE, "--profile", profile,
-                                 "--accel", accel, "--json", "-",
+                                 "--accel", accel, "--effects", "all", "--json", "-",
                                  *(["--more"] if pipes != "1" else [])))["price"]
     row = next(row for row in report["rows"]
                if row["profile"] == profile and str(row["pipes"]) == pipes)
@@ -34,7 +34,7 @@ def foretold(tool, scene, profile, accel, pipes):
 def simulated(scene, profile, accel, pipes):
     """Clocks of the frame on the RTL."""
     words = [f"SCENE={scene}", f"PROFILE={profile}", f"ACCEL={accel}", f"PIPES={pipes}",
-             f"SIZE={SIZE}", f"LATENCY={LATENCY}"]
+             f"SIZE={SIZE}", f"LATENCY={LATENCY}", "BUILD_OPTIONS=--effects all"]
     said("make", "sim", *words)
     folder = said("make", "-s", "sim-folder", *words).split()[-1]
     report = json.loads((Path(folder) / "report.json").read_text(encoding="utf-8"))

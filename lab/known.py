@@ -1,9 +1,12 @@
 # known.py - cells and clocks of cores that pages have, for the tool: cmodel/trial/known_table.h
 # SPDX-License-Identifier: Apache-2.0
 """Writes FILE: a line a core of one engine for an ECP5, its cells from docs/results/data
-(accuracy.costs.tsv, whose profiles were synthesised together, else effects.costs.tsv) and its clock
-from clocks.tsv."""
+(accuracy.kinds, else accuracy.costs, whose profiles were synthesised together, else effects.costs,
+else effects.left_out) and its clock from clocks.tsv. Then a line a word that cores have, and what
+it adds: the median over pairs of cores that differ in it, and in what is known before, alone; of
+words that no pair tells, what the whole core loses without (effects.prices)."""
 import re
+import statistics
 
 from . import clocks, intact
 from .pages import data
@@ -12,9 +15,15 @@ from .study.points import CORE, PROFILES
 HEAD = """/* known_table.h - generated from docs/results/data by `python3 -m lab known`; do not edit
  * SPDX-License-Identifier: Apache-2.0
  */
-/* profile, effects, pipes, LUT4eq, MULT18X18D, DP16KD, worst, median, best MHz, seeds */
+"""
+CORES = """/* profile, effects, pipes, LUT4eq, MULT18X18D, DP16KD, worst, median, best MHz, seeds; nothing is
+ * estimated */
 #define SPH_KNOWN_CORES \\
 """
+WORDS = """/* word, what it adds to a core of profile standard: LUT4eq, MULT, DP16KD; brings points */
+#define SPH_KNOWN_WORDS \\
+"""
+POINTS = {"reflect", "lights", "interpenetrate", "texture", "refract"}  # need hit points, normals
 KEY = re.compile(r"(?P<profile>[a-z]+)-ecp5-(?P<effects>[a-z0-9+]+)-engines1"
                  r"(-pipes(?P<pipes>\d))?$")
 
@@ -22,12 +31,12 @@ KEY = re.compile(r"(?P<profile>[a-z]+)-ecp5-(?P<effects>[a-z0-9+]+)-engines1"
 def cells():
     """{(profile, effects, pipes): LUT4eq, MULT, DP16KD}"""
     found = {}
-    for table, name in (("effects.costs", "core"), ("accuracy.costs", "profile")):
+    for table in "effects.left_out", "effects.costs", "accuracy.costs", "accuracy.kinds":
         head, rows = data.read(table)
         for row in rows:
             cell = dict(zip(head, (word.strip("`") for word in row)))
-            key = (cell[name], CORE) if name == "profile" else ("standard", cell[name])
-            if key[0] in PROFILES:
+            key = (cell.get("profile", "standard"), cell.get("core", CORE))
+            if key[0] in PROFILES and not key[1].startswith("all") and cell["LUT4eq"] != "-":
                 found[(*key, 1)] = [cell[what] for what in ("LUT4eq", "MULT", "DP16KD")]
     return found
 
@@ -44,10 +53,58 @@ def routed():
     return found
 
 
+def parts(core):
+    """The words of a core, whatever their counts; "points" if there is one of POINTS."""
+    found = {word.rstrip("0123456789") for word in core.split("+")} - {"none"}
+    return found | ({"points"} if found & POINTS else set())
+
+
+def priced():
+    """{word: what the core with everything loses without it}"""
+    head, rows = data.read("effects.prices")
+    cells_of = [dict(zip(head, row)) for row in rows]
+    return {cell["core"].removeprefix("without "): [
+        -int(cell[what]) for what in ("LUT4eq", "MULT18X18D", "DP16KD")]
+        for cell in cells_of if re.fullmatch("without [a-z]+", cell["core"])}
+
+
+def told(cores, known):
+    """{how many words differ: {word: counts of each pair}} of words that are not known."""
+    found = {}
+    for more, larger in cores:
+        for less, smaller in cores:
+            differ = more ^ less
+            new = differ - known.keys()
+            if len(new) != 1 or not new <= more:
+                continue
+            word = new.pop()
+            rest = [sum(known[other][i] * (1 if other in more else -1)
+                        for other in differ - {word}) for i in range(3)]
+            found.setdefault(len(differ), {}).setdefault(word, []).append(
+                [a - b - c for a, b, c in zip(larger, smaller, rest)])
+    return found
+
+
+def words(area):
+    """{word: LUT4eq, MULT, DP16KD that it adds}"""
+    cores = [(parts(core), list(map(int, counts))) for (profile, core, _), counts in area.items()
+             if profile == "standard"]
+    known = {}
+    while True:
+        found = told(cores, known)
+        if not found:
+            return priced() | known
+        for word, counts in found[min(found)].items():
+            known[word] = [round(statistics.median(each)) for each in zip(*counts)]
+
+
 def main(file):
     area, clock = cells(), routed()
     lines = [f'    {{"{profile}", "{effects}", {pipes}, '
              + ", ".join(area.get((profile, effects, pipes), ["0"] * 3)
-                         + clock.get((profile, effects, pipes), ["0"] * 4)) + "}"
+                         + clock.get((profile, effects, pipes), ["0"] * 4)) + ", 0, 0}"
              for profile, effects, pipes in sorted(area.keys() | clock.keys())]
-    intact.write(file, HEAD + ", \\\n".join(lines) + "\n")
+    costs = [f'    {{"{word}", {", ".join(map(str, counts))}, {int(word in POINTS)}}}'
+             for word, counts in sorted(words(area).items())]
+    intact.write(file, HEAD + CORES + ", \\\n".join(lines) + "\n" + WORDS
+                 + ", \\\n".join(costs) + "\n")

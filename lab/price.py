@@ -1,8 +1,9 @@
 # price.py - the table and the picture of make price
 # SPDX-License-Identifier: Apache-2.0
-"""FOLDER has price.json of `sphaera price`; cores that have no cells there are synthesised (kept in
-BUILD/synth), with RTL=1 every row is simulated. Writes price.json anew, price.svg and price.html,
-and prints the table. What is not measured stays -."""
+"""FOLDER has price.json of `sphaera price`; with CELLS=1 cores whose cells are estimated there or not
+known are synthesised (kept in BUILD/synth, and taken from there in any case), with RTL=1 every row
+is simulated. Writes price.json anew, price.svg and price.html, and prints the table. What is
+estimated has ~ before it, what is not known is -."""
 import json
 import os
 import subprocess
@@ -15,6 +16,7 @@ from .study.gather import error
 from .study.plots import draw
 from .synth import results
 
+AREA = ("lut4eq", "mult", "bram")
 PROFILES = ("draft", "standard", "fine", "reference")
 HEAD = ["", "dB", "expected", "wrong", "undecided", "cycles a pixel", "limit", "LUT4eq", "MULT",
         "RAM", "MHz", "ms a frame"]
@@ -35,16 +37,20 @@ def make(build, *words):
 
 
 def cells(build, row):
-    """Cells of the row's core, synthesised unless that was done before; None if it fails."""
+    """Cells of the row's core: synthesised if that is asked for or was done before, else what the
+    tool has of it."""
     pipes = str(row["pipes"])
     key = clocks.key(row["profile"], row["core"], PIPES=pipes)
     folder = Path(build, "synth", key)
-    print(f"  SYNTH {key}", flush=True)
+    if not Path(folder, "stat.json").exists():
+        if os.environ.get("CELLS") != "1":
+            return row["cells"]
+        print(f"  SYNTH {key}", flush=True)
     if make(build, "synth", f"PROFILE={row['profile']}", f"EFFECTS={row['core']}",
             f"PIPES={pipes}", "TARGET=ecp5") is None:
-        return None
+        return row["cells"]
     core = results.read(folder)["core"]
-    return {name: core[name] for name in ("lut4eq", "mult", "bram")}
+    return {name: core[name] for name in AREA} | {"estimated": False}
 
 
 def simulated(build, row, pixels):
@@ -69,19 +75,23 @@ def complete(build, price, rtl):
         if row["why"]:
             continue
         row["rtl"] = simulated(build, row, pixels) if rtl else None
-        row["cells"] = row["cells"] or cells(build, row)
+        if (row["cells"] or {"estimated": True})["estimated"]:
+            row["cells"] = cells(build, row)
         if row["clock"]:
             row["milliseconds"] = (row["rtl"] or row["cycles_per_pixel"]) * pixels \
                 / row["clock"]["median"] / 1000
 
 
-def shown(value, form="{}"):
-    return "-" if value is None else form.format(value)
+def shown(value, form="{}", of=None):
+    """As a cell; ~ if it is of something that is estimated."""
+    return "-" if value is None else ("~" if of and of["estimated"] else "") + form.format(value)
 
 
 def clock(found):
     if not found:
         return "-"
+    if found["estimated"]:
+        return f"~{found['median']:g}"
     spread = f"{found['worst']:g}..{found['best']:g}" if found["seeds"] > 1 else "1 seed"
     return f"{found['median']:g} ({spread})"
 
@@ -95,9 +105,9 @@ def line(row):
     cycles = row.get("rtl") or row["cycles_per_pixel"]
     return [row["name"], shown(of["psnr"], "{:.2f}") if of["psnr"] is not None else "equal",
             shown(expected["psnr"], "{:.2f}"), str(of["wrong"]), str(of["undecidable"]),
-            f"{cycles:.2f}", row["limit"]["unit"], *(shown(area.get(name)) for name in (
-                "lut4eq", "mult", "bram")), clock(row["clock"]),
-            shown(row["milliseconds"], "{:.3f}")]
+            f"{cycles:.2f}", row["limit"]["unit"], *(shown(area.get(name), of=row["cells"])
+                                                  for name in AREA), clock(row["clock"]),
+            shown(row["milliseconds"], "{:.3f}", row["clock"])]
 
 
 def text(price):
@@ -181,7 +191,7 @@ def main(folder, scene):
     notes = (folder / "price.log").read_text("utf-8").splitlines()
     print(text(price))
     for note in notes:
-        if note.startswith(("sample:", "energy:", "does not pay:")):
+        if note.startswith(("sample:", "~:", "energy:", "does not pay:")):
             print(note)
     latency = os.environ.get("LATENCY")
     print(f"cycles: of the RTL, memory answers after {latency} clocks" if rtl else

@@ -6,7 +6,8 @@
 #   TARGETS   families of synth/target.sh, or all
 #   EFFECTS   what the cores are elaborated with: lists as sim/cores.py takes them
 # KEY is what sim/cores.py says of a core, with -flat behind it if FLAT is 1. $B/synth/KEY/ holds
-# what Yosys printed; it is made again when a source of the core, core.sh or Yosys changes.
+# what Yosys printed; it is made again when a source of the core, core.sh or Yosys changes. Results
+# of YOSYS, another one than that of the PATH, lie in $B/synth-VERSION/KEY/.
 
 B        ?= build
 PROFILES ?= standard
@@ -22,9 +23,12 @@ QUOTIENT_STEP ?= 2
 # others, as sim/cores.py takes them
 SIZES    ?=
 FLAT     ?= 0
+YOSYS    ?= yosys
 V        ?= 0
 Q        := $(if $(filter 1,$(V)),,@)
 DEF      := cmodel/machine/machine.def
+S        := $B/synth$(if $(filter-out yosys,$(YOSYS)),-$(or $(word 2,$(shell '$(YOSYS)' -V)),$(error \
+                synth: $(YOSYS) does not say its version)))
 
 KNOWN_PROFILES := $(shell awk '$$1 == "profile" { print $$2 }' $(DEF))
 KNOWN_TARGETS  := $(shell sed -n "s/^targets='\(.*\)'/\1/p" synth/target.sh)
@@ -53,17 +57,18 @@ PAGE := $(foreach p,$(KNOWN_PROFILES),$(foreach t,ecp5 xc7 generic,$p-$t$(FULL))
 .DELETE_ON_ERROR:
 .SUFFIXES:
 .PHONY: report results page
-results: $(KEYS:%=$B/synth/%/stat.json)
+results: $(KEYS:%=$S/%/stat.json)
 
 include make/stamp.mk
-$B/synth/%/stat.json: synth/core.sh synth/target.sh sim/cores.py sim/definition.py $(DEF) \
-                      $B/tools/yosys
-	$(Q)sh synth/core.sh $* $(@D)
+$S/%/stat.json: synth/core.sh synth/target.sh sim/cores.py sim/definition.py $(DEF) \
+                      $(if $(filter yosys,$(YOSYS)),$B/tools/yosys)
+	$(Q)YOSYS='$(YOSYS)' sh synth/core.sh $* $(@D)
 
 report: results
-	$(Q)python3 -m lab area $B/synth $(KEYS)
+	$(Q)python3 -m lab area $S $(KEYS)
 
-page: $(PAGE:%=$B/synth/%/stat.json)
-	$(Q)python3 -m lab area-page docs/results/speed_and_area.md $B/synth $(PAGE)
+page: $(PAGE:%=$S/%/stat.json)
+	$(Q)python3 -m lab area-page docs/results/speed_and_area.md $S $(PAGE)
 
--include $(patsubst %,$B/synth/%/sources.d,$(sort $(KEYS) $(PAGE)))
+-include $(patsubst %,$S/%/sources.d,$(sort $(KEYS) $(PAGE))) \
+    $(patsubst %/stat.json,%/sources.d,$(filter %/stat.json,$(MAKECMDGOALS)))

@@ -48,7 +48,7 @@ $B/test/hard: $(HARD_C:%.c=$B/test/obj/%.o) $B/obj/cmodel/tool/progress.o $(LIB)
 
 # For benches of the RTL (tb/hard.h): what they do not call is not linked.
 $B/test/libhard.a: $(patsubst %.c,$B/test/obj/%.o,$(filter-out %/main.c %/report.c \
-                     %/campaign.c %/campaign_merge.c %/campaign_state.c,$(HARD_C)))
+                     %/campaign.c,$(HARD_C)))
 
 $B/test/asan/%.o: %.c $B/flags
 	$(call say,CC,"$(<F) sanitized")

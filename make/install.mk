@@ -57,3 +57,16 @@ dist: ## tarball of the sources in build/dist; unpacked there, built and tested 
 .PHONY: notebook-setup
 notebook-setup: ## installs what examples/python/sweep.ipynb needs (apt)
 	@sh sim/setup.sh python3-nbclient python3-ipykernel python3-matplotlib
+
+# ---- the core for FuseSoC ----
+FUSESOC := fusesoc==2.4
+
+.PHONY: fusesoc
+fusesoc: $(TOOL) $B/fusesoc/done ## the core by FuseSoC 2.4 (taken by pip), Verilator and Icarus
+	@ALL=1 BUILD=$B JOBS=$(JOBS) sh tests/run.sh tests/flow/test_minimal.sh
+
+$B/fusesoc/done:
+	$(call say,PIP,$(FUSESOC))
+	$(Q)python3 -m venv $(@D)
+	$(Q)$(@D)/bin/pip install --quiet --disable-pip-version-check $(FUSESOC)
+	@touch $@

@@ -34,3 +34,14 @@ shadow-acne tests/shadow_acne/test_shadow_acne.sh: | $B/test/shadow_acne
 
 # its name until 1.0.0
 specks: shadow-acne
+
+# ---- jobs of a list; ENGINE=slurm tried on a Slurm of this machine: docs/guide/simulation.md ----
+# + before it: the commands share the JOBS of this make
+jobs_run = python3 -m lab jobs $(ENGINE) $(1)
+
+.PHONY: slurm-setup slurm-test
+slurm-setup: ## installs Slurm (apt), which `make slurm-test` needs
+	@sh sim/setup.sh slurm-wlm munge
+
+slurm-test: $(TOOL) ## jobs on a Slurm of two nodes here: one is killed, results damaged; 2 minutes
+	@BUILD=$B sh tests/run.sh tests/jobs/slurm_real.sh

@@ -11,6 +11,8 @@ CORE    ?= all
 # bits of the scene's data; of frame store and display too, up to 128
 DATA    ?= 64
 LAYERS  ?= 0
+# bits of an address: more with one of the widths
+ADDR    ?= $(if $(filter 128,$(DATA)),40,32)
 BENCH   ?= tb_top
 
 include make/verilated.mk
@@ -22,7 +24,7 @@ RTL_DIRS  := $(sort $(dir $(RTL_FILES)))
 FRAME_DATA := $(if $(filter 256,$(DATA)),128,$(DATA))
 PARAMETERS := $(shell sim/cores.py profile '$(PROFILE)') \
               $(shell sim/cores.py parameters '$(CORE)') \
-              DATA=$(FRAME_DATA) MEM_DATA=$(DATA) VIDEO=1 LAYERS=$(LAYERS)
+              DATA=$(FRAME_DATA) MEM_DATA=$(DATA) VIDEO=1 LAYERS=$(LAYERS) ADDR=$(ADDR)
 VERILATE := $(VERILATOR) --cc --language 1364-2005 -O3 --x-assign unique --x-initial unique \
                 --top-module rt_top --prefix Vrt_top $(PARAMETERS:%=-G%) \
                 $(RTL_DIRS:%=-y %) $(RTL_DIRS:%=-I%)
@@ -50,7 +52,7 @@ $K/all.cpp: $(RTL_FILES) $K/flags $(if $(filter tb_shell,$(BENCH)),$K/rt_core.sv
 	@sh sim/at_once.sh $K tb/top/$(BENCH).cpp >$@
 
 $K/top.o: $K/all.cpp $(PRECOMPILED)
-	$(COMPILE) -DDATA=$(FRAME_DATA) -isystem $K -MD -MP -c $< -o $@
+	$(COMPILE) -DDATA=$(FRAME_DATA) -DADDR=$(ADDR) -isystem $K -MD -MP -c $< -o $@
 
 # As for a board: no library, no warnings.
 $(DRIVER): $(wildcard driver/*)

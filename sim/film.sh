@@ -4,7 +4,7 @@
 #
 # usage: SCENE=... FRAMES=A..B BUILD_OPTIONS=... SEED=n BUILD=folder sim/film.sh
 # Prints the folder, BUILD/film/DIGEST. It gets the files `scene`, the scene's name, `options`,
-# words of `sphaera render`, and `frames`, the pictures that make/film.mk makes, one for each frame.
+# words of `sphaera render`, and `frames`, the pictures that make/view.mk makes, one for each frame.
 set -euf
 cd "$(dirname "$0")/.."
 case $FRAMES in

@@ -11,7 +11,7 @@
 #include "render/render.h"
 #include "fast/fast.h"
 #include "machine/machine.h"
-#include "untold.h"
+#include "drawn.h"
 
 /* Pixels that differ; -1 if counters or errors do. */
 static int differ(const struct sph_machine *m, int lanes, int traverse, char *name, size_t room) {

@@ -62,7 +62,7 @@ beside "$out/stat.json"
 printf '  %-4s %s\n' SYN "$key"
 start=$(date +%s)
 # shellcheck disable=SC2086  # lists of words on purpose
-nice yosys -q -l "$out/log" -E "$out/sources" -p "
+nice "${YOSYS:-yosys}" -q -l "$out/log" -E "$out/sources" -p "
     verilog_defaults -add $include -DSYNTHESIS $defines;
     read_verilog rtl/*/$top.v; chparam $set_all $top; hierarchy -check -top $top $library;
     proc; check -assert; tee -q -o $out/rtl.json stat -json;
@@ -77,7 +77,7 @@ headers=$(find rtl -name '*.vh')
 sources=$(sed 's/^[^:]*://; s,//,/,g' "$out/sources" | tr ' ' '\n' | grep '^rtl/.*\.v$' | sort -u)
 # shellcheck disable=SC2086,SC2016  # one line each; make knows its build folder by other names too
 {
-    echo '$(B)'"/synth/$key/stat.json:" $sources $headers
+    echo '$(S)'"/$key/stat.json:" $sources $headers
     echo $sources $headers:
 } >"$out/sources.d"
 named "$out/stat.json"

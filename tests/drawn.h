@@ -7,8 +7,10 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-#include "scene/rng.h"
+#include "core/frame.h"
+#include "machine/layout.h"
 #include "number.h"
+#include "scene/rng.h"
 
 /* SEED, 1 unless it is set. */
 static inline uint64_t seed(void) {
@@ -35,6 +37,18 @@ static inline int64_t coordinate(struct sph_rng *rng, int w, int way) {
     if (way == 0) return small(rng, 2);
     if (way == 1) return any(rng, w - 1);
     return sph_rng_next(rng) >> 9 & 1 ? half - 1 : -half;
+}
+
+/* ---- what packets of rays do not tell of a frame: the tree's work ---- */
+
+/* Makes 0 of it, as in a frame of packets; a list of its own, not that of render.c. */
+static inline void untell(struct sph_frame *frame, struct sph_counters *c) {
+    static const int work[] = {SPH_COUNT_NODE_VISITS, SPH_COUNT_CHILD_TESTS, SPH_COUNT_LEAF_TESTS,
+                               SPH_COUNT_ROOTS,       SPH_COUNT_FACET_TESTS, SPH_COUNT_DIVISIONS};
+    for (int i = 0; i < frame->width * frame->height; i++)
+        frame->pixels[i].visits = 0;
+    for (size_t i = 0; i < sizeof work / sizeof *work; i++)
+        c->count[work[i]] = 0;
 }
 
 #endif

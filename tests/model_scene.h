@@ -18,7 +18,7 @@
 #include "common/parallel.h"
 #include "naive/naive.h"
 #include "render/render.h"
-#include "sanitized.h"
+#include "number.h"
 
 /* One scene for each thing that can go wrong in a picture; from the root of the repository. */
 static const char *const model_scenes[] = {

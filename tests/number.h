@@ -22,4 +22,13 @@ static inline uint64_t test_seed(void) {
     return test_number(getenv("SEED"), "SEED", 1);
 }
 
+/* ---- whether this program runs under sanitizers, which slow it down about tenfold ---- */
+/* They look for other mistakes than wrong numbers: a share of the cases does for them. */
+
+#ifdef __SANITIZE_ADDRESS__
+enum { SANITIZED = 1 };
+#else
+enum { SANITIZED = 0 };
+#endif
+
 #endif

@@ -19,7 +19,6 @@
 #include "machine/layout.h"
 #include "number.h"
 #include "machine/profile.h"
-#include "sanitized.h"
 #include "scene/rng.h"
 #include "prim/sphere.h"
 #include "core/ray.h"

@@ -253,7 +253,7 @@ static int build(const struct sph_scene *scene, const struct sph_build_options *
         sph_emit_textures(scene, &grid, &plants, o, m, report, err))
         return -1;
     sph_emit_spread(scene, &plants, o, m, report);
-    sph_emit_left_out(&survey, m, report);
+    sph_emit_left_out(o, m, report);
     if (sph_box_order(m, err)) return -1;
     snprintf(m->name, sizeof m->name, "%s", scene->name);
     m->grid_log2 = grid.log2;

@@ -29,6 +29,9 @@ struct sph_unmet {
     uint32_t lights;      /* bit l: light l of the scene lights nothing; it is black there */
     int shadow;           /* nothing stands between a light and what it lights */
     int inside;           /* no ray starts in a sphere */
+    int clear;            /* no ray to a light passes what lets such rays pass */
+    int depth;            /* so many rays follow a primary one, one after another, at most */
+    int fewer;            /* the scene lacks primitives that no ray meets */
 };
 
 struct sph_build_options {

@@ -14,6 +14,8 @@ struct sph_met {
     uint32_t lit;     /* bit l: light l of the machine reaches a surface that faces it */
     uint32_t blocked; /* bit l: something stands between it and such a surface */
     uint32_t inside;  /* 1: a ray found, from inside, what it may start in */
+    uint32_t passed;  /* 1: a ray to a light passed what would be in its way without CLEAR */
+    uint32_t depths;  /* bit n: n rays one after another followed the primary one */
 };
 
 /* Bit l: a ray to light l found the primitive; and: the colour of its surface was asked for. */

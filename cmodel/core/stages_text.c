@@ -77,7 +77,7 @@ static const struct {
                            N("pass", "1")}},
     [SPH_STAGE_BOX] = {"box",
                        "child",
-                       {S3("lo", GRID, "W+2", "0"), S3("hi", GRID, "W+2", "0"),
+                       {U3("lo", COUNT, "7", "0"), U3("hi", COUNT, "7", "0"),
                         U("near", HEX, "15", "0"), U("limit", HEX, "15", "0"), N("pass", "1")}},
     [SPH_STAGE_SPHERE] = {"sphere",
                           "id",

@@ -32,6 +32,31 @@ struct sph_hit sph_job_trace(const struct sph_job *j, const struct sph_ray *ray)
     return hit;
 }
 
+/* Whether a ray that came to its light would not have come there without CLEAR. */
+static int passes(const struct sph_job *j, struct sph_ray to) {
+    struct sph_machine opaque = *j->m;
+    struct sph_counters c = {{0}};
+    uint32_t visits = 0, errors = 0;
+    opaque.regs[SPH_REG_EFFECTS] &= ~(1 << SPH_EFFECT_CLEAR);
+    to.stages = NULL;
+    sph_ray_setup(j->p, &to);
+    return sph_traverse(&opaque, &to, SPH_TRAVERSE_TREE, &c, &visits, &errors).key != 0;
+}
+
+/* Notes what a ray to light l has met. */
+static void note(const struct sph_job *j, int l, const struct sph_ray *to,
+                 const struct sph_hit *by) {
+    if (by->key) {
+        sph_met_add(&j->met->blocked, 1u << l);
+        sph_met_add(&j->met->prims[by->id], 1u << l);
+        return;
+    }
+    sph_met_add(&j->met->lit, 1u << l);
+    if (sph_machine_effect(j->m, SPH_EFFECT_CLEAR) &&
+        !__atomic_load_n(&j->met->passed, __ATOMIC_RELAXED) && passes(j, *to))
+        sph_met_add(&j->met->passed, 1);
+}
+
 /* Light of the lights that the surface faces and sees, u2.15: matt, and as a highlight. */
 struct sums {
     uint32_t matt[3], gloss[3];
@@ -76,8 +101,7 @@ void sph_job_light(const struct sph_job *j, const struct sph_ray *ray, const str
         struct sph_hit by = {0};
         if (sph_machine_effect(j->m, SPH_EFFECT_SHADOW)) by = sph_job_trace(j, &to);
         int blocked = by.key != 0;
-        if (j->met) sph_met_add(blocked ? &j->met->blocked : &j->met->lit, 1u << l);
-        if (j->met && blocked) sph_met_add(&j->met->prims[by.id], 1u << l);
+        if (j->met) note(j, l, &to, &by);
         if (trail) trail->faced |= 1u << l, trail->blocked |= (uint32_t)blocked << l;
         if (!blocked) add(j, ray, &to, s, shading, cosine, lamp + 3, &sums);
     }

@@ -27,7 +27,6 @@ static const uint32_t *prim_line(const struct sph_job *j, const struct sph_hit *
         return NULL;
     }
     const uint32_t *prim = sph_line(j->m, line);
-    *j->errors |= sph_shading_left_out(prim) << SPH_ERROR_LEFT_OUT;
     if (j->met) sph_met_add(&j->met->prims[hit->id], SPH_MET_SHADED);
     return prim;
 }
@@ -226,6 +225,7 @@ static int path(const struct sph_job *j, struct sph_ray ray) {
             at = refracted_ray;
         }
         if (j->log) j->log->depth = at.depth;
+        if (j->met) sph_met_add(&j->met->depths, 1u << at.depth);
         hit = sph_job_trace(j, &at.ray);
         prim = prim_line(j, &hit);
         if (probe && prim && hit.fars > own) return 1;

@@ -8,7 +8,6 @@
 #include "fast/packets.h"
 #include "fast/prepare.h"
 #include "fast/setup.h"
-#include "machine/box.h"
 #include "machine/records.h"
 #include "prim/prim.h"
 #include "prim/sphere.h"
@@ -101,12 +100,12 @@ static void read_node(const struct job *j, uint32_t line, struct sph_fast *f,
     node->n_inner = (uint8_t)n_inner;
     node->tests = (uint8_t)(n_inner + n_leaf);
     if (n_inner) node->inner = j->number[base];
+    if (boxes) boxes->frame = sph_box_frame_read(sph_line(j->m, line), sph_machine_profile(j->m));
     for (int i = 0; i < node->tests && boxes; i++) {
-        struct sph_box box;
-        sph_box_read(sph_line(j->m, line), i, sph_machine_profile(j->m), &box);
+        struct sph_box_planes planes = sph_box_planes_read(sph_line(j->m, line), i);
         for (int k = 0; k < 3; k++) {
-            boxes->lo[k][i] = box.lo[k];
-            boxes->hi[k][i] = box.hi[k];
+            boxes->lo[k][i] = planes.lo[k];
+            boxes->hi[k][i] = planes.hi[k];
         }
     }
     for (uint32_t i = 0; i < n_inner; i++)

@@ -7,6 +7,7 @@
 #include "core/tracer.h"
 #include "fast/fast.h"
 #include "fast/triangle.h"
+#include "machine/box.h"
 
 /* A node: one line of the processor's cache. The children of a number, leaves behind inner ones. */
 struct sph_fast_node {
@@ -24,9 +25,10 @@ static inline int16_t sph_fast_ctr(const struct sph_fast_node *n, int k, int i) 
     return k < 2 ? n->xy[i][k] : n->zr[i][0];
 }
 
-/* Planes of a node's boxes, grid units. */
+/* A node's boxes. */
 struct sph_fast_boxes {
-    int32_t lo[3][4], hi[3][4]; /* of child 0..3; where there is none, 0 */
+    int32_t lo[3][4], hi[3][4]; /* planes of child 0..3, steps; where there is none, 0 */
+    struct sph_box_frame frame;
 };
 
 /* A leaf record. */

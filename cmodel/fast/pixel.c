@@ -15,7 +15,7 @@
 
 enum {
     KNOWN = 1 << SPH_EFFECT_SHADOW | 1 << SPH_EFFECT_REFLECT | 1 << SPH_EFFECT_INSIDE |
-            1 << SPH_EFFECT_FIRST | 1 << SPH_EFFECT_TURNED
+            1 << SPH_EFFECT_FIRST | 1 << SPH_EFFECT_TURNED | 1 << SPH_EFFECT_CAMERA
 };
 
 int sph_fast_shades(const struct sph_machine *m) {
@@ -34,9 +34,7 @@ const uint32_t *sph_fast_record(const struct sph_fast_job *j, const struct sph_h
         *j->errors |= 1u << SPH_ERROR_BAD_NODE;
         return NULL;
     }
-    const uint32_t *prim = sph_line(j->m, line);
-    *j->errors |= sph_shading_left_out(prim) << SPH_ERROR_LEFT_OUT;
-    return prim;
+    return sph_line(j->m, line);
 }
 
 uint32_t sph_fast_light(const struct sph_fast_job *j, const struct sph_surface *s, int light,

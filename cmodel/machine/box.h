@@ -6,6 +6,17 @@
 
 #include "machine/machine.h"
 
+/* Where the steps of a node's planes are counted from, grid units; log2 of a step. */
+struct sph_box_frame {
+    int32_t org[3];
+    uint8_t step[3];
+};
+
+/* Planes of a child in steps of its node's frame: it begins at lo and ends at hi + 1. */
+struct sph_box_planes {
+    uint8_t lo[3], hi[3];
+};
+
 /* Grid units: a plane is lo <= coordinate or coordinate <= hi, s(W+2). */
 struct sph_box {
     int32_t lo[3], hi[3];
@@ -21,6 +32,9 @@ static inline int sph_frame_step_shift(const struct sph_profile *p) {
     int most = (1 << SPH_FRAME_STEP_X_BITS) - 1 + SPH_BOX_LO_X_BITS;
     return p->w > most ? p->w - most : 0;
 }
+
+struct sph_box_frame sph_box_frame_read(const uint32_t *node, const struct sph_profile *p);
+struct sph_box_planes sph_box_planes_read(const uint32_t *node, int child);
 
 /* The box of child 0..3 of a node; coordinates that leave W+2 bits lose what is above. */
 void sph_box_read(const uint32_t *node, int child, const struct sph_profile *p,

@@ -56,6 +56,7 @@
 #define SPH_BIH_DIVIDE 20
 #define SPH_BIH_CHUNK 4
 #define SPH_BIH_LEAF 3
+#define SPH_BOX_CROSS 17
 #define SPH_BOX_NEAR 11
 #define SPH_FRAMES 3
 #define SPH_SPHERE 0
@@ -109,8 +110,6 @@
 #define SPH_PRIM_KA_BITS 9
 #define SPH_PRIM_KD_LSB 180
 #define SPH_PRIM_KD_BITS 9
-#define SPH_PRIM_LEFT_OUT_LSB 189
-#define SPH_PRIM_LEFT_OUT_BITS 1
 #define SPH_PRIM_KS_LSB 218
 #define SPH_PRIM_KS_BITS 8
 #define SPH_PRIM_POWER_LSB 226
@@ -355,6 +354,7 @@
 #define SPH_REG_LEAST_WEIGHT 118
 #define SPH_REG_ONE_CAMERA 119
 #define SPH_LEAST_WEIGHT_MAX 256
+#define SPH_CAMERA_TURN 11
 #define SPH_LIGHT_STRIDE 8
 #define SPH_LIGHT_SHIFT_LSB 16
 #define SPH_LIGHT_SHIFT_BITS 5
@@ -402,7 +402,8 @@
 #define SPH_EFFECT_CLEAR 11
 #define SPH_EFFECT_TURNED 12
 #define SPH_EFFECT_SPREAD 13
-#define SPH_EFFECT_BITS 14
+#define SPH_EFFECT_CAMERA 14
+#define SPH_EFFECT_BITS 15
 #define SPH_KINDS 3
 #define SPH_KINDS_UNBOUNDED 4
 #define SPH_COUNTERS 22
@@ -412,7 +413,7 @@
 #define SPH_WIDTH_TABLE {"w", offsetof(struct sph_profile, w), 0, 5, 8, 24, "a leaf record has 24 bits"}, {"wd", offsetof(struct sph_profile, wd), 5, 5, 9, 31, "a register has 32 bits"}, {"pq", offsetof(struct sph_profile, pq), 10, 6, 4, 32, "a quotient is one word of the model"}, {"ng", offsetof(struct sph_profile, ng), 16, 3, 0, 4, "the bounds of build are 64-bit numbers"}, {"fw", offsetof(struct sph_profile, fw), 19, 4, 6, 14, "a node record has 14 bits"}, {"pr", offsetof(struct sph_profile, pr), 23, 6, 0, 51, "the longest root has 52 bits"}
 #define SPH_COUNTER_NAMES "rays_primary", "rays_shadow", "rays_reflected", "node_visits", "child_tests", "leaf_tests", "roots", "quotients", "background", "saturations", "cycles", "issue_wait", "node_misses", "leaf_misses", "rays_waiting", "pop_bubbles", "facet_tests", "divisions", "texels", "texel_misses", "rays_refracted", "powers"
 #define SPH_ERROR_NAMES "bad_node", "stack_overflow", "visit_limit", "bus_error", "missing_effect", "wrong_profile", "left_out"
-#define SPH_EFFECT_MASK 16383
+#define SPH_EFFECT_MASK 32767
 #define SPH_EACH_EFFECT(X)  \
     X(SHADOW, shadow, "SHADOW", 0, 1, 1, SPH_OPTION_WHEN, 0, 0, -1, 0, 0, -1, "rays towards the lights") \
     X(REFLECT, reflect, "REFLECT", 1, 10, 5, SPH_OPTION_WHEN, 0, 0, -1, 0, 0, SPH_REG_MAX_DEPTH, "mirror rays, up to MAX_DEPTH") \
@@ -428,14 +429,15 @@
     X(SMOOTH, smooth, "SMOOTH", 10, 1, 0, SPH_OPTION_WHEN, 64, 0, -1, 0, 0, -1, "interpolated normals of triangles") \
     X(CLEAR, clear, "CLEAR", 11, 1, 0, SPH_OPTION_WHEN, 1, 0, -1, 0, 0, -1, "shadow rays pass what is marked as clear") \
     X(TURNED, turned, "TURNED", 12, 1, 0, SPH_OPTION_NONE, 0, 32, -1, 0, 0, -1, "a grid in other axes than the camera's") \
-    X(SPREAD, spread, "SPREAD", 13, 1, 0, SPH_OPTION_WHEN, 128, 0, -1, 0, 0, -1, "levels in mirrors and glass by how spheres spread rays")
+    X(SPREAD, spread, "SPREAD", 13, 1, 0, SPH_OPTION_WHEN, 128, 0, -1, 0, 0, -1, "levels in mirrors and glass by how spheres spread rays") \
+    X(CAMERA, camera, "CAMERA", 14, 1, 1, SPH_OPTION_NONE, 0, 0, -1, 0, 0, -1, "refuses every camera but the machine's own, since something is left out")
 #define SPH_EACH_PART(X) SPH_EACH_EFFECT(X) \
     X(COARSE, coarse, "COARSE", -1, 8, 0, SPH_OPTION_NONE, 128, 0, -1, 0, 0, SPH_REG_COARSE, "bits of the fraction of levels rounded away") \
     X(RECT, rect, "RECT", -1, 1, 1, SPH_OPTION_NONE, 0, 0, SPH_REG_BG_MODE, 1, 1, -1, "background separation by rectangle") \
     X(SPANS, spans, "SPANS", -1, 1, 1, SPH_OPTION_NONE, 0, 0, SPH_REG_BG_MODE, 2, 2, -1, "background separation by spans in memory") \
     X(CONES, cones, "CONES", -1, 16, 1, SPH_OPTION_NONE, 0, 0, SPH_REG_BG_MODE, 3, 3, SPH_REG_BG_COUNT, "exact background separation, by so many spheres") \
     X(BIH, bih, "ACCEL", -1, 1, 0, SPH_OPTION_NONE, 0, 16, SPH_REG_TREE, 3, 4, -1, "a BIH instead of nodes of four children") \
-    X(BOXES, boxes, "BOXES", -1, 1, 0, SPH_OPTION_NONE, 0, 524304, SPH_REG_TREE, 6, 6, -1, "boxes around the children of a node, not spheres")
+    X(BOXES, boxes, "BOXES", -1, 1, 0, SPH_OPTION_NONE, 0, 1048592, SPH_REG_TREE, 6, 6, -1, "boxes around the children of a node, not spheres")
 #define SPH_EACH_REG(X)  \
     X(EFFECTS) \
     X(MAX_DEPTH) \
@@ -542,6 +544,7 @@
     X(TEXTURE_WAYS, 4) \
     X(TEXTURE_GROUP, 1) \
     X(TEXTURE_COORDS, 2) \
+    X(BANKS, 0) \
     X(ROOTS, 0) \
     X(QUOTIENTS, 2) \
     X(DIVISIONS, 0) \
@@ -571,9 +574,11 @@
     X(SHADE_UNITS, (SHADES != 0 ? SHADES : PIPES == 1 || INTERPENETRATE != 0 ? 1 : PIPES == 4 ? 4 : 2)) \
     X(LEAF_COUNT, (LEAF_UNITS>0 ? LEAF_UNITS : BOXES>0 ? SHADE_UNITS : PIPES>2 && SHADE_UNITS>1 ? 2:1)) \
     X(SETUP_UNITS, (SETUPS != 0 ? SETUPS : PIPES == 4 && LEAF_COUNT > 1 ? 2 : 1)) \
+    X(PLANE_BANKS, (BANKS != 0 ? BANKS : BOXES != 0 ? 4 : 2)) \
     X(LINES_COMING, (MEM_PENDING != 0 ? MEM_PENDING : MEM_DATA))
 #define SPH_EACH_RATE(X)  \
     X(FACET_CLOCKS, (FACET_INTERVAL != 0 ? FACET_INTERVAL : BOXES == 0 && W >= 18 ? 4 : 2)) \
+    X(PLANE_CLOCKS, ((ACCEL + BOXES > 0) * max(20, 66 / PLANE_BANKS))) \
     X(KEY_UNITS, (DIVISIONS != 0 ? DIVISIONS : BOXES != 0 ? 3 : 1)) \
     X(KEY_DIVISION, ((W + WD + DIVISION_STEP) / DIVISION_STEP + 1)) \
     X(KEY_PRODUCTS, ((2 * ((WD + 16) / 17) + (2 * WD + 16) / 17) * ((2 * W + WD + 68) / 34) + 6)) \
@@ -584,7 +589,7 @@
     X(REFRACT_CLOCKS, (62 + 11 * (WD > 17) + (ROOT_BITS + 1) / 2))
 #define SPH_EACH_LOAD(X)  \
     X(node_visits, "node visits", PIPES, node_visits + ACCEL * (4*rays + node_visits - child_tests/2)) \
-    X(rays_set_up_for_planes, "rays set up for planes", PIPES, (ACCEL + BOXES > 0) * rays * 33 / 4) \
+    X(rays_set_up_for_planes, "rays set up for planes", PIPES, PLANE_CLOCKS * rays / 4) \
     X(records_to_tests, "records to tests", LEAF_COUNT, 2 * (leaf_tests + facet_tests)) \
     X(exact_tests_of_spheres, "exact tests of spheres", LEAF_COUNT, leaf_tests * LEAF_INTERVAL) \
     X(exact_tests_of_facets, "exact tests of facets", LEAF_COUNT, facet_tests * FACET_CLOCKS) \

@@ -267,3 +267,22 @@ struct sph_pixel sph_naive_pixel(const struct sph_machine *m, int x, int y) {
         }
     return pixel;
 }
+
+int sph_naive_strayed(const struct sph_machine *m) {
+    static const int regs[] = {SPH_REG_EYE_X,    SPH_REG_EYE_Y,    SPH_REG_EYE_Z,  SPH_REG_DIR_X0,
+                               SPH_REG_DIR_Y0,   SPH_REG_DIR_Z,    SPH_REG_PITCH,  SPH_REG_ACROSS_X,
+                               SPH_REG_ACROSS_Y, SPH_REG_ACROSS_Z, SPH_REG_DOWN_X, SPH_REG_DOWN_Y,
+                               SPH_REG_DOWN_Z};
+    const int n = sizeof regs / sizeof *regs;
+    uint32_t ones[32] = {0};
+    int strayed = 0;
+    for (int i = 0; i < n; i++) {
+        int turned = on(m, SPH_EFFECT_TURNED) && regs[i] != SPH_REG_PITCH;
+        int bits = i < 3 ? m->profile.w : turned || i > 6 ? 32 : m->profile.wd;
+        for (int b = 0; b < bits; b++)
+            ones[(b + 11 * (n - 1 - i)) % 32] += (uint32_t)m->regs[regs[i]] / (1u << b) % 2;
+    }
+    for (int b = 0; b < 32; b++)
+        strayed |= ones[b] % 2 != (uint32_t)m->regs[SPH_REG_ONE_CAMERA] / (1u << b) % 2;
+    return on(m, SPH_EFFECT_CAMERA) && strayed;
+}

@@ -47,4 +47,8 @@ int sph_naive_background(const struct sph_machine *m, int x, int y);
  * is read for effect FIRST alone, and of it no bounding sphere: what they leave out is not hit. */
 struct sph_pixel sph_naive_pixel(const struct sph_machine *m, int x, int y);
 
+/* 1 if the machine lacks what another camera than its own would show, and has another: every bit of
+ * every register is put where it counts, one by one. */
+int sph_naive_strayed(const struct sph_machine *m);
+
 #endif

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "common/parallel.h"
+#include "machine/camera.h"
 #include "pixel/background.h"
 #include "engine/render_pixel.h"
 #include "fast/pixel.h" /* sph_fast_shades */
@@ -88,6 +89,7 @@ int sph_render(const struct sph_machine *m, const struct sph_render_options *o,
     if (!frame->pixels)
         return sph_fail(err, "%s: no memory for a frame of %dx%d", m->name, width, height);
 
+    if (sph_camera_strayed(m)) return 1 << SPH_ERROR_LEFT_OUT; /* refused, as by the core */
     int packets = o->traverse == SPH_TRAVERSE_PACKETS;
     struct sph_fast *fast = (packets || o->traverse == SPH_TRAVERSE_FAST) && !o->fast
                                 ? sph_fast_new(m, SPH_FAST_BEST)

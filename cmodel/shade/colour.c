@@ -72,9 +72,9 @@ void sph_blend_add(struct sph_blend *b, const uint32_t colour[3], uint32_t kr, i
 
 /* ---- specular ---- */
 
-enum { ONE = 1 << 16, POWER_FRACTION = 4 };
+enum { COSINE_ONE = 1 << 16, POWER_FRACTION = 4 };
 
-static int64_t dot(const struct sph_unit *a, const struct sph_unit *b) {
+static int64_t unit_dot(const struct sph_unit *a, const struct sph_unit *b) {
     int64_t sum = 0; /* s2.32 */
     for (int i = 0; i < 3; i++)
         sum += (int64_t)a->u[i] * b->u[i];
@@ -83,9 +83,10 @@ static int64_t dot(const struct sph_unit *a, const struct sph_unit *b) {
 
 uint32_t sph_specular_cosine(const struct sph_unit *normal, const struct sph_unit *to_light,
                              const struct sph_unit *dir) {
-    int64_t nl = sph_round(dot(normal, to_light), 16), nd = sph_round(dot(normal, dir), 16);
-    int64_t c = sph_round(dot(to_light, dir) - 2 * nl * nd, 16);
-    return c < 0 ? 0 : c > ONE ? ONE : (uint32_t)c;
+    int64_t nl = sph_round(unit_dot(normal, to_light), 16),
+            nd = sph_round(unit_dot(normal, dir), 16);
+    int64_t c = sph_round(unit_dot(to_light, dir) - 2 * nl * nd, 16);
+    return c < 0 ? 0 : c > COSINE_ONE ? COSINE_ONE : (uint32_t)c;
 }
 
 uint32_t sph_specular_log2(uint32_t c) {

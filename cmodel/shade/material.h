@@ -21,11 +21,6 @@ struct sph_shading {
 /* The mirror share of a record, u1.8. A share that is more than 1 counts as 1. */
 uint32_t sph_shading_mirror(const uint32_t *prim);
 
-/* 1 if an effect that the record asks for was left out, since no ray was to meet it; else 0. */
-static inline uint32_t sph_shading_left_out(const uint32_t *prim) {
-    return sph_field(prim, SPH_PRIM_LEFT_OUT_LSB, SPH_PRIM_LEFT_OUT_BITS);
-}
-
 /* The record as the effects of the machine let it count. */
 struct sph_shading sph_shading_read(const struct sph_machine *m, const uint32_t *prim);
 

@@ -81,11 +81,13 @@ int sphaera_price_get(const sphaera_price *price, int number, sphaera_price_row 
     row->wrong_most = r->wrong_most;
     row->keeps = r->keeps;
     row->cycles_per_pixel = r->cycles.pixel;
+    if (!r->known.cells_estimated) {
+        row->lut4eq = r->known.lut4eq;
+        row->mult = r->known.mult;
+        row->bram = r->known.bram;
+    }
+    if (r->known.clock_estimated) return 0;
+    row->mhz = r->known.median;
     row->milliseconds = r->milliseconds;
-    if (!r->known) return 0;
-    row->lut4eq = r->known->lut4eq;
-    row->mult = r->known->mult;
-    row->bram = r->known->bram;
-    row->mhz = r->known->median;
     return 0;
 }

@@ -54,7 +54,7 @@ int board_machine_mode(const char *path, struct board_machine *m, struct sph_err
 }
 
 /* The driver's steps on `s`, which is open: frames at these addresses, RGB565, and the display. */
-static int show(struct sphaera *s, const struct board_machine *m, const uint32_t frames[3]) {
+static int show(struct sphaera *s, const struct board_machine *m, const uint64_t frames[3]) {
     int rc = sphaera_store(s, frames, 2 * (uint32_t)m->width, 1);
     if (rc) return rc;
     sphaera_video(s, &m->mode);
@@ -71,7 +71,7 @@ static void put_word(uint8_t *to, uint32_t value) {
 
 struct recorder {
     struct board_script *script;
-    uint32_t profile;
+    uint32_t profile, parts;
 };
 
 static uint32_t answer(void *user, uint32_t offset) {
@@ -85,6 +85,10 @@ static uint32_t answer(void *user, uint32_t offset) {
         return r->profile;
     case SPHAERA_CORE_EFFECTS:
         return UINT32_MAX;
+    case SPHAERA_CORE_PARTS:
+        return r->parts;
+    case SPHAERA_CORE_BUS:
+        return (uint32_t)32 << SPHAERA_CORE_BUS_ADDR_LSB;
     default:
         return 0;
     }
@@ -96,7 +100,7 @@ static void record(void *user, uint32_t offset, uint32_t value) {
     script->n++;
 }
 
-static void ignore_write(void *user, uint32_t address, const uint8_t *bytes, uint32_t count) {
+static void ignore_write(void *user, uint64_t address, const uint8_t *bytes, uint32_t count) {
     (void)user, (void)address, (void)bytes, (void)count;
 }
 
@@ -104,12 +108,13 @@ static void ignore_write(void *user, uint32_t address, const uint8_t *bytes, uin
 static int record_open(const struct board_machine *m, struct board_script *script,
                        struct recorder *recorder, struct sphaera *s, struct sph_error *err) {
     struct sphaera_file file;
-    *recorder = (struct recorder){script, 0};
+    *recorder = (struct recorder){.script = script};
     const struct sphaera_bus bus = {answer, record, ignore_write, recorder};
     script->n = 0;
     if (!sphaera_file_read(&file, m->bytes, m->count))
         return sph_fail(err, "%s", sphaera_text(SPHAERA_BAD_FILE));
     recorder->profile = sphaera_file_register(&file, SPHAERA_REG_PROFILE);
+    recorder->parts = sphaera_file_asks(&file);
     int rc = sphaera_open(s, &bus);
     return rc ? sph_fail(err, "%s", sphaera_text(rc)) : 0;
 }
@@ -123,7 +128,7 @@ static int recorded(int rc, const struct board_script *script, struct sph_error 
 
 int board_record(const struct board_machine *m, struct board_script *script,
                  struct sph_error *err) {
-    static const uint32_t frames[3] = {0, 0, 0};
+    static const uint64_t frames[3] = {0, 0, 0};
     struct recorder recorder;
     struct sphaera s;
     if (record_open(m, script, &recorder, &s, err)) return -1;
@@ -184,7 +189,8 @@ static int places(const struct board_machine *m, int n, uint32_t *bases, struct 
 
 int board_take(struct sphaera *s, const struct sphaera_bus *bus, const struct board_machine *m,
                int n, uint32_t polls, int *rc, struct sph_error *err) {
-    uint32_t bases[BOARD_MACHINES], frames[3];
+    uint32_t bases[BOARD_MACHINES];
+    uint64_t frames[3];
     for (uint32_t i = 0; i < 3; i++)
         frames[i] = BOARD_FRAMES + i * BOARD_FRAME_BYTES;
     if (places(m, n, bases, err)) return -1;

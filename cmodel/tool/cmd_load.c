@@ -100,8 +100,8 @@ static void set(void *user, uint32_t offset, uint32_t value) {
     send(user, REGISTERS | offset, bytes, 1);
 }
 
-static void write_memory(void *user, uint32_t address, const uint8_t *bytes, uint32_t count) {
-    send(user, address, bytes, count / 4); /* lines are whole words */
+static void write_memory(void *user, uint64_t address, const uint8_t *bytes, uint32_t count) {
+    send(user, (uint32_t)address, bytes, count / 4); /* lines are whole words */
 }
 
 static speed_t speed_of(unsigned baud) {

@@ -16,7 +16,7 @@ struct arguments {
 
 static const struct argp_option options[] = {
     {"output", 'o', "FILE", 0, "to write: .gif, or .mp4, which needs ffmpeg", 0},
-    {"rate", 'r', "N", 0, "frames a second (25)", 0},
+    {"rate", 'r', "F", 0, "frames a second (25)", 0},
     {0},
 };
 

@@ -55,15 +55,16 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
 
 /* ---- as text ---- */
 
-/* A number, or - if it is not known. */
-static const char *or_none(char text[16], int known, const char *form, double value) {
-    snprintf(text, 16, known ? form : "-", value);
-    return text;
+/* A number, - if it is not known (0); ~ before one that is estimated. */
+static const char *or_none(char text[16], const char *form, double value, int estimated) {
+    text[0] = '~';
+    snprintf(text + estimated, (size_t)(16 - estimated), value > 0 ? form : "-", value);
+    return text + (estimated && !(value > 0));
 }
 
 static void print_row(FILE *to, const struct sph_price *p, int i) {
     const struct sph_price_row *r = &p->row[i];
-    const struct sph_known_core *k = r->known;
+    const struct sph_known_core *k = &r->known;
     char cell[6][16];
     fprintf(to, "%c %-28s ", i == p->best ? '*' : ' ', r->name);
     if (!r->built) {
@@ -72,25 +73,26 @@ static void print_row(FILE *to, const struct sph_price *p, int i) {
     }
     fprintf(to, "%7.2f %8s %6" PRIu64 " %6" PRIu64 " %8.2f %7s %5s %4s %6s %9s\n",
             r->accuracy.image.psnr[SPH_FRAMES - 1],
-            or_none(cell[0], r->expected.fits, "%.2f", r->expected.psnr), r->wrong,
+            or_none(cell[0], "%.2f", r->expected.fits ? r->expected.psnr : 0, 0), r->wrong,
             r->accuracy.image.undecidable, r->cycles.pixel,
-            or_none(cell[1], k && k->lut4eq, "%.0f", k ? k->lut4eq : 0),
-            or_none(cell[2], k && k->lut4eq, "%.0f", k ? k->mult : 0),
-            or_none(cell[3], k && k->lut4eq, "%.0f", k ? k->bram : 0),
-            or_none(cell[4], k && k->seeds, "%.1f", k ? k->median : 0),
-            or_none(cell[5], k && k->seeds, "%.3f", r->milliseconds));
+            or_none(cell[1], "%.0f", k->lut4eq, k->cells_estimated),
+            or_none(cell[2], "%.0f", k->mult, k->cells_estimated),
+            or_none(cell[3], "%.0f", k->bram, k->cells_estimated),
+            or_none(cell[4], "%.1f", k->median, k->clock_estimated),
+            or_none(cell[5], "%.3f", r->milliseconds, k->clock_estimated));
 }
 
 /* What the figures are worth, of rows alike once. */
 static void print_notes(FILE *to, const struct sph_price *p) {
     const struct sph_price_row *sure = NULL;
-    int cells = 0, clock = 0;
+    int cells = 0, clock = 0, estimated = 0;
     for (int i = 0; i < p->n; i++) {
         const struct sph_price_row *r = &p->row[i];
         if (!r->built) continue;
         sure = r;
-        cells += !r->known || !r->known->lut4eq;
-        clock += !r->known || !r->known->seeds;
+        cells += !r->known.lut4eq;
+        clock += !(r->known.median > 0);
+        estimated += r->known.cells_estimated || r->known.clock_estimated;
     }
     if (!sure) return;
     if (p->sampled)
@@ -102,11 +104,14 @@ static void print_notes(FILE *to, const struct sph_price *p) {
     fprintf(to, "cycles: by the model's counters, not simulated: within 7 %% of the RTL, 11 %% for "
                 "planes in boxes (make price RTL=1 measures them)\n");
     for (int i = 0; i < p->n; i++) {
-        const struct sph_known_core *k = p->row[i].known;
-        if (k && k->seeds)
+        const struct sph_known_core *k = &p->row[i].known;
+        if (k->seeds)
             fprintf(to, "clock:  %s %.1f to %.1f MHz, %d seed%s\n", p->row[i].name, k->worst,
                     k->best, k->seeds, k->seeds > 1 ? "s" : "");
     }
+    if (estimated)
+        fprintf(to, "~:      estimated: cells from cores that differ in some words, mostly within "
+                    "5 %%; the clock is that of the nearest core that was routed\n");
     if (cells) fprintf(to, "cells -: nobody has synthesised that core; make price does\n");
     if (clock) fprintf(to, "clock -: nobody has routed that core; make study-seeds does\n");
     fprintf(to, "energy: not measured of any core\n");
@@ -148,7 +153,7 @@ static json_t *measured_json(const struct sph_price_row *r) {
 }
 
 static json_t *row_json(const struct sph_price_row *r) {
-    const struct sph_known_core *k = r->known;
+    const struct sph_known_core *k = &r->known;
     json_t *json = json_object();
     report_text(json, "name", r->name);
     report_text(json, "profile", r->profile.name);
@@ -170,14 +175,15 @@ static json_t *row_json(const struct sph_price_row *r) {
                                   : json_pack("{s:s, s:f}", "unit", sph_load_name(r->cycles.most),
                                               "share", r->cycles.binds[r->cycles.most]));
     report_add(json, "cells",
-               k && k->lut4eq ? json_pack("{s:i, s:i, s:i}", "lut4eq", k->lut4eq, "mult", k->mult,
-                                          "bram", k->bram)
-                              : json_null());
+               k->lut4eq ? json_pack("{s:i, s:i, s:i, s:b}", "lut4eq", k->lut4eq, "mult", k->mult,
+                                     "bram", k->bram, "estimated", k->cells_estimated)
+                         : json_null());
     report_add(json, "clock",
-               k && k->seeds ? json_pack("{s:f, s:f, s:f, s:i}", "worst", k->worst, "median",
-                                         k->median, "best", k->best, "seeds", k->seeds)
-                             : json_null());
-    report_add(json, "milliseconds", k && k->seeds ? json_real(r->milliseconds) : json_null());
+               k->median > 0
+                   ? json_pack("{s:f, s:f, s:f, s:i, s:b}", "worst", k->worst, "median", k->median,
+                               "best", k->best, "seeds", k->seeds, "estimated", k->clock_estimated)
+                   : json_null());
+    report_add(json, "milliseconds", k->median > 0 ? json_real(r->milliseconds) : json_null());
     return json;
 }
 
@@ -211,6 +217,7 @@ static int price(const struct arguments *a, const struct sph_scene *scene,
                                   .only = s->build.widths,
                                   .most = a->most,
                                   .more = a->more,
+                                  .met = s->effects == TOOL_EFFECTS_MET,
                                   .threads = a->threads};
     build.mips = mips;
     if (tool_frame_size(s, scene, &build, err) || sph_price_make(scene, &build, &o, &p, err))
@@ -229,8 +236,9 @@ int tool_price(int argc, char **argv) {
         "dB and pixels that see a wrong object (or one where there is none) are measured against "
         "the scene as it is written, in double precision, where doubles can tell (undec.: where "
         "they cannot); expected: what `build` goes by, at least. Cycles a pixel are of one engine, "
-        "from the work of the golden model; cells, clock and milliseconds are of the very core "
-        "that the scene asks for, if it was measured. The first row that keeps --error is marked. "
+        "from the work of the golden model; cells, clock and milliseconds are of the core "
+        "that `make sim` runs, ~ if they are estimated. The first row that keeps --error is "
+        "marked. "
         "--profile: a row of these widths alone.",
         children,
         NULL,
@@ -239,6 +247,7 @@ int tool_price(int argc, char **argv) {
     struct sph_scene scene;
     struct sph_mip *mips = NULL;
     struct sph_error err = {""};
+    a.report.source.effects = TOOL_EFFECTS_MET;
     tool_parse(&argp, argc, argv, 0, &a);
 
     const char *input = a.report.input;

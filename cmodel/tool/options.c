@@ -56,8 +56,9 @@ static const struct argp_option options[] = {
      "of its light (1)",
      1},
     {"effects", KEY_EFFECTS, "WHICH", 0,
-     "those that rays of the frame meet, which is drawn once to find out (met: `build` does so by "
-     "default), or all that the scene names (all: the other commands)",
+     "those that rays of the frame meet, which is drawn once to find out (met: `build` and `price` "
+     "do so "
+     "by default), or all that the scene names (all: the other commands)",
      1},
     {"traverse", KEY_TRAVERSE, "HOW", 0,
      "primary rays find the nearest hit (default), or end at the first one, as in the paper", 1},

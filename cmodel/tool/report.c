@@ -56,7 +56,7 @@ void report_machine(json_t *report, const struct sph_machine *m) {
         if (sph_parts[i].bit >= 0 && sph_machine_effect(m, sph_parts[i].bit))
             json_array_append_new(effects, json_string(sph_parts[i].word));
     report_add(machine, "effects", effects);
-    report_add(machine, "one_camera", json_boolean(r[SPH_REG_ONE_CAMERA]));
+    report_add(machine, "one_camera", json_boolean(sph_machine_effect(m, SPH_EFFECT_CAMERA)));
     report_number(machine, "grid_step", ldexp(1.0, m->grid_log2));
     report_add(report, "machine", machine);
 }

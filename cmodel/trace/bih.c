@@ -14,15 +14,15 @@ static int at_least_0(int n) {
 
 void sph_bih_setup(const struct sph_profile *p, const struct sph_ray *ray, struct sph_bih_ray *b) {
     int bits = p->wd > SPH_BIH_DIVIDE ? p->wd : SPH_BIH_DIVIDE;
-    int cut = at_least_0(sph_bit_length(ray->a) - bits); /* of a; dir is exact */
+    uint64_t a = ray->a ? ray->a : 1;
     b->v_shift = at_least_0(p->w + 2 - SPH_BIH_V);
+    int cut = at_least_0(sph_bit_length(a) - bits); /* of a; dir is exact */
     b->t_shift = at_least_0(p->w + p->wd + 2 - SPH_BIH_T);
     for (int i = 0; i < 3; i++) {
         int64_t d = ray->dir[i];
         b->axis[i] = (struct sph_bih_axis){d == 0, d < 0, 0, 0};
-        if (!d) continue;
-        struct sph_quotient q =
-            sph_quotient(ray->a >> cut, bits, (uint64_t)(d < 0 ? -d : d), p->wd, SPH_BIH_G);
+        uint64_t size = (uint64_t)(d < 0 ? -d : d);
+        struct sph_quotient q = sph_quotient(a >> cut, bits, size ? size : 1, p->wd, SPH_BIH_G);
         b->axis[i].mant = q.mant;
         b->axis[i].shift = q.exp - cut + b->t_shift - b->v_shift;
     }
@@ -68,22 +68,62 @@ int sph_bih_cut(const struct sph_bih_ray *b, const struct sph_ray *ray, int axis
 
 /* ---- box ---- */
 
+enum {
+    BEYOND = SPH_BIH_NO_BOUND + 1,            /* above all T-words */
+    FRAME_T = SPH_BOX_CODES << SPH_BOX_CROSS, /* above those of a frame */
+    EXACT = SPH_BIH_G - 3,                    /* mant + 2 <= mant (1 + 2^-EXACT) */
+};
+
 int32_t sph_box_depth(uint32_t time) {
     int shift = sph_bit_length(time) - (SPH_BOX_NEAR + 1);
     if (shift < 0) return (int32_t)time;
     return (int32_t)((uint32_t)shift << SPH_BOX_NEAR) + (int32_t)(time >> shift);
 }
 
-int sph_box_meets(const struct sph_bih_ray *bih, const struct sph_ray *ray,
-                  const struct sph_box *box, int32_t depth_max, int32_t *near) {
-    struct sph_interval span = {0, SPH_BIH_NO_BOUND};
-    int in = 1;
-    for (int i = 0; i < 3; i++)
-        in &= sph_bih_cut(bih, ray, i, box->lo[i], 0, &span) &&
-              sph_bih_cut(bih, ray, i, box->hi[i], 1, &span);
-    *near = sph_box_depth(span.lo);
-    int pass = in && span.lo <= span.hi && *near <= depth_max;
-    SPH_NOTE(ray->stages, SPH_STAGE_BOX, 0, SPH_THREE(box->lo), SPH_THREE(box->hi), *near,
+void sph_box_axes(const struct sph_profile *p, const struct sph_bih_ray *bih,
+                  const struct sph_ray *ray, const struct sph_box_frame *frame,
+                  struct sph_box_axis axes[3]) {
+    int spare = 64 - (p->w + 2);
+    for (int i = 0; i < 3; i++) {
+        const struct sph_bih_axis *x = &bih->axis[i];
+        int s = frame->step[i], shift = (x->shift > 0 ? x->shift : 0) + bih->v_shift;
+        int steep = shift <= s; /* a step would lose no bit */
+        if (steep) shift = s + 1;
+        int64_t org = frame->org[i];
+        int64_t v =
+            x->negative ? ray->org[i] - org - ((int64_t)SPH_BOX_CODES << s) : org - ray->org[i];
+        v = (int64_t)((uint64_t)v << spare) >> spare;
+        int64_t at = v * x->mant >> shift;
+        if (at < -FRAME_T) at = -FRAME_T;
+        if (at > BEYOND) at = BEYOND;
+        int32_t begin = (int32_t)at, more = begin >> EXACT;
+        axes[i] = (struct sph_box_axis){
+            .enter = begin + (begin < 0 ? more : 0) - x->zero,
+            .leave = begin + 2 + (begin < 0 ? 0 : more),
+            .step = (int32_t)((uint64_t)x->mant >> (shift - s)),
+            .back = x->negative,
+            .flat = x->zero,
+            .open = x->zero || x->shift < 0 || steep,
+        };
+    }
+}
+
+int sph_box_meets(const struct sph_box_axis axes[3], const struct sph_ray *ray,
+                  const struct sph_box_planes *planes, int32_t depth_max, int32_t *near) {
+    int32_t first = 0, last = INT32_MAX;
+    for (int i = 0; i < 3; i++) {
+        const struct sph_box_axis *x = &axes[i];
+        int lo = planes->lo[i], hi = planes->hi[i], end = SPH_BOX_CODES - 1;
+        int32_t enter = x->enter + (x->back ? end - hi : lo) * x->step;
+        int32_t leave = x->leave + ((x->back ? end - lo : hi) + 1) * (x->step + 2);
+        if (x->flat) enter |= BEYOND; /* what is below 0 stays so */
+        if (x->open) leave |= BEYOND;
+        if (enter > first) first = enter;
+        if (leave < last) last = leave;
+    }
+    *near = sph_box_depth((uint32_t)first & SPH_BIH_NO_BOUND);
+    int pass = first <= last && first < BEYOND && *near <= depth_max;
+    SPH_NOTE(ray->stages, SPH_STAGE_BOX, 0, SPH_THREE(planes->lo), SPH_THREE(planes->hi), *near,
              depth_max, pass);
     return pass;
 }

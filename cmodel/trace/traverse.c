@@ -24,14 +24,12 @@ static void insert(struct sph_siblings *s, uint32_t child, int32_t near) {
     s->list[at].near = near;
 }
 
-/* Whether the ray meets child i of a node, and where. */
-static int meets(const struct sph_machine *m, const struct sph_ray *ray,
-                 const struct sph_bih_ray *bih, const uint32_t *line, int i, int32_t depth_max,
-                 int32_t *near) {
-    if (bih) {
-        struct sph_box box;
-        sph_box_read(line, i, sph_machine_profile(m), &box);
-        return sph_box_meets(bih, ray, &box, depth_max, near);
+/* Whether the ray meets child i of a node, and where; axes: of the frame of boxes, or NULL. */
+static int meets(const struct sph_ray *ray, const struct sph_box_axis *axes, const uint32_t *line,
+                 int i, int32_t depth_max, int32_t *near) {
+    if (axes) {
+        struct sph_box_planes planes = sph_box_planes_read(line, i);
+        return sph_box_meets(axes, ray, &planes, depth_max, near);
     }
     struct sph_child child = sph_child_read(line, i);
     return sph_filter(ray, &child, depth_max, near);
@@ -52,9 +50,14 @@ int sph_visit(const struct sph_machine *m, const struct sph_ray *ray, const stru
     if (found->tests > 4 ||
         found->line + sph_record_lines(sph_whole(m), n_leaf) > (uint32_t)m->regs[SPH_REG_MEM_LINES])
         return 0;
+    struct sph_box_axis axes[3];
+    if (bih) {
+        struct sph_box_frame frame = sph_box_frame_read(line, sph_machine_profile(m));
+        sph_box_axes(sph_machine_profile(m), bih, ray, &frame, axes);
+    }
     for (uint32_t i = 0; i < found->tests; i++) {
         int32_t near;
-        if (!meets(m, ray, bih, line, (int)i, depth_max, &near)) continue;
+        if (!meets(ray, bih ? axes : NULL, line, (int)i, depth_max, &near)) continue;
         if (i < n_inner)
             insert(&found->inner, i, sph_ray_any(ray) ? INT16_MIN : near);
         else

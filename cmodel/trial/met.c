@@ -40,6 +40,8 @@ static int draw(struct sph_census *c, const struct sph_machine *m, const uint32_
             *to |= (met.prims[id] >> l & 1) << lights[l];
     }
     c->inside |= met.inside;
+    c->passed |= met.passed;
+    c->depths |= met.depths;
     free(met.prims);
     return errors < 0 ? -1 : 0;
 }
@@ -85,6 +87,9 @@ const struct sph_unmet *sph_census_unmet(struct sph_census *c, struct sph_scene 
     c->unmet.prims = c->shaded;
     c->unmet.shadow = !(c->blocked & ~c->unmet.lights);
     c->unmet.inside = !c->inside;
+    c->unmet.clear = !c->passed;
+    while (c->depths >> c->unmet.depth > 1)
+        c->unmet.depth++;
     return &c->unmet;
 }
 
@@ -109,6 +114,10 @@ static int spare(const struct sph_census *c, const struct sph_machine *m, const 
                 {SPH_EFFECT_SPREAD, SPH_PRIM_BEND_LSB, SPH_PRIM_BEND_BITS}};
     if (sph_machine_effect(m, SPH_EFFECT_SHADOW) && c->unmet.shadow) return 1;
     if (sph_machine_effect(m, SPH_EFFECT_INSIDE) && c->unmet.inside) return 1;
+    if (sph_machine_effect(m, SPH_EFFECT_CLEAR) && c->unmet.clear) return 1;
+    int most = m->regs[SPH_REG_MAX_DEPTH];
+    if (c->unmet.depth < most && (!c->unmet.depth || most > sph_parts[SPH_PART_REFLECT].all))
+        return 1;
     for (size_t a = 0; a < sizeof asks / sizeof *asks; a++) {
         int met = !sph_machine_effect(m, asks[a].effect);
         for (uint32_t id = 0; !met && id < (uint32_t)m->regs[SPH_REG_N_PRIMS]; id++) {
@@ -240,10 +249,24 @@ static int on_own_grid(const struct task *t, const struct sph_unmet *whole,
     if (!rc && sph_census_unmet(&c, &same, t->o)) {
         c.unmet.lights = whole->lights;
         c.unmet.shadow = !c.blocked;
+        c.unmet.fewer = 1;
         rc = build(t, rest, &c.unmet, err);
     }
     sph_census_free(&c);
     return rc;
+}
+
+/* Numbers that primitives have without those of drop[] become numbers in the scene. */
+static int renumber(const struct sph_census *c, const uint8_t *drop, const struct sph_machine *m,
+                    uint32_t *numbers, struct sph_error *err) {
+    uint32_t *kept = malloc(((size_t)c->n + 1) * sizeof *kept), n = 0;
+    if (!kept) return sph_fail(err, "%s: no memory", m->name);
+    for (uint32_t i = 0; i < c->n; i++)
+        if (!drop[i]) kept[n++] = i;
+    for (uint32_t id = 0; id < (uint32_t)m->regs[SPH_REG_N_PRIMS]; id++)
+        numbers[id] = kept[numbers[id]];
+    free(kept);
+    return 0;
 }
 
 /* Leaves out what the census of the machine with everything says. */
@@ -265,8 +288,8 @@ static int leave_out(const struct task *t, struct sph_census *c, const struct sp
     int rc = without(&dark, drop, &rest) ? sph_fail(err, "%s: no memory", scene->path)
                                          : on_own_grid(t, unmet, &rest, err);
     release(&rest);
-    if (rc) return rc;
-    t->m->regs[SPH_REG_ONE_CAMERA] = 1;
+    if (rc || renumber(c, drop, t->m, t->o->numbers, err)) return -1;
+    sph_emit_camera(t->m, t->report);
     tell(scene, drop, n, t->report->left_out, sizeof t->report->left_out);
     return 0;
 }
@@ -279,15 +302,16 @@ int sph_build_met(const struct sph_scene *scene, struct sph_build_options *o, in
     struct task t = {o, choose, bound, choice, machine, report};
     size_t n = (size_t)scene->n_spheres + scene->n_facets + 1;
     uint8_t *drop = calloc(n, 1);
+    uint32_t *numbers = o->numbers;
     memset(machine, 0, sizeof *machine);
-    o->numbers = calloc(n, sizeof *o->numbers);
+    if (!numbers) o->numbers = calloc(n, sizeof *o->numbers);
     int rc = o->numbers && drop ? 0 : sph_fail(err, "%s: no memory", scene->path);
     if (!rc) rc = look(&t, &c, scene, err);
     if (!rc) rc = leave_out(&t, &c, scene, drop, err);
     if (rc) sph_machine_free(machine);
     sph_census_free(&c);
-    free(o->numbers);
-    o->numbers = NULL;
+    if (!numbers) free(o->numbers);
+    o->numbers = numbers;
     free(drop);
     return rc;
 }

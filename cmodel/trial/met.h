@@ -14,10 +14,11 @@ enum { SPH_CENSUS_PIXELS = 1 << 22 };
 
 /* What rays of some frames of a scene met. All zeros: of none. */
 struct sph_census {
-    uint32_t n;                    /* primitives of the scene: spheres, then facets */
-    uint32_t *prims;               /* of each: SPH_MET_SHADED, and by lights of the scene */
-    uint32_t lights;               /* of the scene that the machines have, a bit each */
-    uint32_t lit, blocked, inside; /* as in core/met.h, by lights of the scene */
+    uint32_t n;                      /* primitives of the scene: spheres, then facets */
+    uint32_t *prims;                 /* of each: SPH_MET_SHADED, and by lights of the scene */
+    uint32_t lights;                 /* of the scene that the machines have, a bit each */
+    uint32_t lit, blocked;           /* as in core/met.h, by lights of the scene */
+    uint32_t inside, passed, depths; /* the same */
     uint64_t pixels;
     const char *kept; /* NULL, or why all is kept */
     /* what sph_census_unmet() has made of it */
@@ -40,7 +41,7 @@ void sph_census_free(struct sph_census *c);
 
 /* sph_build_kept() without what the rays of the frame do not meet: effects, lights, and what would
  * make the grid coarse. report->left_out says what besides effects and lights. options->numbers
- * must be NULL. */
+ * gets numbers of the whole scene. */
 int sph_build_met(const struct sph_scene *scene, struct sph_build_options *options, int choose,
                   const struct sph_error_bound *bound, struct sph_profile_choice *choice,
                   struct sph_machine *machine, struct sph_build_report *report,

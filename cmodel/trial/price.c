@@ -5,9 +5,11 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "builder/emit.h"
+#include "trial/met.h"
 #include "validate/describe.h"
 
 struct job {
@@ -32,9 +34,28 @@ static void of_core(struct sph_price_row *r, const struct sph_machine *m, int pi
     snprintf(r->tree, sizeof r->tree, "%s", sph_machine_tree_name(m));
     sph_machine_core(m, r->core, sizeof r->core);
     r->known = sph_known_core(r->profile.name, r->core, pipes);
-    if (r->known && r->known->seeds)
+    if (r->known.median > 0)
         r->milliseconds =
-            r->cycles.pixel * j->price->width * j->price->height / (r->known->median * 1000);
+            r->cycles.pixel * j->price->width * j->price->height / (r->known.median * 1000);
+}
+
+/* As sph_trial_measure(), of a machine without what no ray of the frame meets. */
+static int measure_met(const struct job *j, struct sph_build_options *o, struct sph_trial *t,
+                       struct sph_estimate *expected, struct sph_error *err) {
+    const struct sph_scene *scene = j->yardstick.scene;
+    struct sph_profile_choice choice = {0};
+    memset(t, 0, sizeof *t);
+    t->numbers = calloc((size_t)scene->n_spheres + scene->n_facets + 1, sizeof *t->numbers);
+    if (!t->numbers) return sph_fail(err, "%s: no memory", scene->path);
+    o->numbers = t->numbers;
+    int rc = sph_build_met(scene, o, 0, &j->o->bound, &choice, &t->machine, &t->report, err) ||
+             sph_trial_draw(&j->yardstick, j->o->threads, t, err);
+    if (rc)
+        sph_trial_free(t);
+    else
+        sph_trial_judge(&j->yardstick, t);
+    if (!rc) *expected = choice.estimate[o->profile];
+    return rc;
 }
 
 /* Measures widths in a tree (SPH_TREE_*) on a core of so many pipes. 0, or -1 if memory is out. */
@@ -47,7 +68,8 @@ static int measure(const struct job *j, const struct sph_profile *profile, int t
     o.widths = &r->profile;
     o.tree = tree;
     if (sph_estimate(j->yardstick.scene, &o, &r->profile, 1, &r->expected, err)) return -1;
-    r->built = !sph_trial_measure(&j->yardstick, &o, j->o->threads, &t, &why);
+    r->built = !(j->o->met ? measure_met(j, &o, &t, &r->expected, &why)
+                           : sph_trial_measure(&j->yardstick, &o, j->o->threads, &t, &why));
     if (!r->built) {
         snprintf(r->why, sizeof r->why, "%s", why.text);
         return 0;

@@ -19,6 +19,7 @@ struct sph_price_options {
     const struct sph_profile *only; /* NULL: a row for each profile; else one of these widths */
     uint32_t most;                  /* pixels of a sample: sph_yardstick_make() */
     int more;                       /* 1: rows of single knobs too */
+    int met;                        /* 1: machines without what no ray of the frame meets */
     int threads;                    /* 0: all */
 };
 
@@ -33,10 +34,10 @@ struct sph_price_row {
     double wrong_most, psnr_least;
     struct sph_cycles cycles;
     struct sph_core_sizes sizes;
-    char tree[24], core[160];           /* of the machine; effects as EFFECTS of make has them */
-    const struct sph_known_core *known; /* this very core, NULL: nobody has made it */
-    double milliseconds;                /* a frame at the core's own clock; 0: it is not known */
-    int keeps;                          /* what is asked for, measured */
+    char tree[24], core[160];    /* of the machine; effects as EFFECTS of make has them */
+    struct sph_known_core known; /* cells and clock of this core, or estimated, or all 0 */
+    double milliseconds;         /* a frame at that clock; 0: it is not known */
+    int keeps;                   /* what is asked for, measured */
 };
 
 struct sph_price {

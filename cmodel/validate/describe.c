@@ -116,7 +116,7 @@ void sph_machine_describe(const struct sph_machine *m, FILE *file) {
     char core[160];
     sph_machine_core(m, core, sizeof core);
     fprintf(file, "core      %s\n", core);
-    if (m->regs[SPH_REG_ONE_CAMERA])
+    if (sph_machine_effect(m, SPH_EFFECT_CAMERA))
         fprintf(file, "camera    this one alone: what its rays do not meet is left out\n");
     fprintf(file, "registers\n");
     describe_registers(m, file);

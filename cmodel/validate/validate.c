@@ -10,6 +10,7 @@
 #include "validate/prims.h"
 #include "validate/check.h"
 #include "math/fx.h"
+#include "machine/camera.h"
 #include "machine/parts.h"
 
 #define RANGE(name, lo, hi)                                                                        \
@@ -152,7 +153,12 @@ static int check_memory(const struct sph_machine *m, struct sph_error *err) {
     RANGE(ROOT, 0, r[SPH_REG_PRIM_BASE] - 1);
     RANGE(VISIT_LIMIT, 1, 0xffffff);
     RANGE(TREE, 1, SPH_TREE_LAST);
-    RANGE(ONE_CAMERA, 0, 1);
+    if (!sph_machine_effect(m, SPH_EFFECT_CAMERA)) RANGE(ONE_CAMERA, 0, 0);
+    if (sph_camera_strayed(m))
+        return sph_fail(err,
+                        "register ONE_CAMERA is %d, the camera's sum is %d: what is left out "
+                        "holds for another one",
+                        r[SPH_REG_ONE_CAMERA], sph_camera_sum(m));
     return 0;
 }
 

@@ -44,6 +44,8 @@ const struct view_key view_keys[] = {
     {"n", VIEW_DO_DEPTH, NULL, "next depth, 0 to 10"},
     {"p", VIEW_DO_PROFILE, NULL, "next profile: draft, standard, fine, reference"},
     {"0", VIEW_DO_HOME, NULL, "back to the camera of the scene"},
+    {"m", VIEW_DO_PRICE, NULL,
+     "measures this frame when the camera rests: dB, cycles a pixel; again: no longer"},
     {"v", VIEW_DO_CAMERA, NULL, "prints the camera as lines of NFF"},
     {"c", VIEW_DO_CLEAR, NULL, "clears the rays that are drawn"},
     {"h", VIEW_DO_HELP, NULL, "prints this list"},

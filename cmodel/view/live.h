@@ -20,15 +20,16 @@ struct view {
     struct view_screen *screen;
     struct view_state state;
     struct view_workers *workers;
-    struct view_maker *builder, *truths;
+    struct view_maker *builder, *truths, *prices;
     struct view_meter meter;
     struct view_record *record;
     uint8_t *srgb;
 
-    struct view_made *made;  /* the newest machine, NULL before the first */
-    struct view_made *truth; /* the newest reference, NULL: none */
-    uint64_t bad_camera;     /* camera_changes that no machine could be built for */
-    uint64_t bad_truth;      /* the same of the reference */
+    struct view_made *made;        /* the newest machine, NULL before the first */
+    struct view_made *truth;       /* the newest reference, NULL: none */
+    struct view_made *price;       /* the newest measure, NULL: none */
+    uint64_t bad_camera;           /* camera_changes that no machine could be built for */
+    uint64_t bad_truth, bad_price; /* the same of the reference, of a measure */
 
     struct view_job job;            /* what the workers draw, or have drawn */
     struct sph_camera seen;         /* its camera */
@@ -54,7 +55,11 @@ struct view {
 /* work.c: takes what makers have made, asks them for more, starts jobs. */
 void view_work(struct view *v, double now);
 
-/* Whether the picture is that of the hardware, wholly drawn and shown, and the layer known. */
+/* Whether what a maker has made is of the state as it is; made may be NULL. */
+int view_stands(const struct view *v, const struct view_made *made);
+
+/* Whether the picture is that of the hardware, wholly drawn and shown, and what is asked for beside
+ * it known. */
 int view_refined(const struct view *v);
 
 /* show.c: shows a picture if one is due. */

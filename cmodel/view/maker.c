@@ -9,6 +9,7 @@
 #include <time.h>
 
 #include "reference/reference.h"
+#include "trial/price.h"
 
 enum { LESS = 10 }; /* of nice: a tenth of what a thread that draws gets */
 
@@ -54,6 +55,24 @@ void view_make_truth(const struct sph_scene *scene, struct view_made *made) {
         made->truth[i] =
             (struct view_truth){reference.pixels[i].colour[SPH_FRAMES - 1], reference.pixels[i].id};
     sph_reference_free(&reference);
+}
+
+void view_make_price(const struct sph_scene *scene, struct view_made *made) {
+    enum { PIXELS = 8192 }; /* that are looked at */
+    struct sph_scene seen = *scene;
+    struct sph_price *price = malloc(sizeof *price);
+    const struct sph_price_options how = {
+        .only = sph_build_profile(&made->build), .most = PIXELS, .threads = 1};
+    seen.camera = made->camera;
+    made->failed = price ? sph_price_make(&seen, &made->build, &how, price, &made->err)
+                         : sph_fail(&made->err, "no memory");
+    const struct sph_price_row *row = made->failed ? NULL : &price->row[0];
+    if (row && !row->built) made->failed = sph_fail(&made->err, "%s", row->why);
+    if (row && row->built)
+        made->price = (struct view_price){
+            row->accuracy.image.psnr[SPH_FRAMES - 1], row->cycles.pixel, row->wrong,
+            row->cycles.most < 0 ? "nothing" : sph_load_name(row->cycles.most)};
+    free(price);
 }
 
 static void *work(void *user) {

@@ -12,15 +12,20 @@
 #define NEXT 0.1    /* between pictures that get finer */
 
 static void put_title(struct view *v, int passes) {
-    char text[640], how[128], words[256];
+    char text[640], how[128], words[256], price[64] = "";
     view_state_words(&v->state.build, words, sizeof words);
     if (passes < VIEW_PASSES)
         snprintf(how, sizeof how, "every %d pixels", passes ? VIEW_COARSEST >> (passes - 1) : 0);
     else
         snprintf(how, sizeof how, v->exact ? "as the hardware draws it" : "turned rays");
-    snprintf(text, sizeof text, "%s - %s - %s - %s%s", v->scene.name,
+    if (v->state.price && view_stands(v, v->price))
+        snprintf(price, sizeof price, " - %.1f dB, %.2f cycles a pixel", v->price->price.psnr,
+                 v->price->price.cycles);
+    else if (v->state.price)
+        snprintf(price, sizeof price, " - to be measured");
+    snprintf(text, sizeof text, "%s - %s - %s - %s%s%s", v->scene.name,
              view_layer_names[v->state.layer], words, how,
-             view_maker_busy(v->builder) ? ", building" : "");
+             view_maker_busy(v->builder) ? ", building" : "", price);
     v->calls->title(v->screen, text);
 }
 

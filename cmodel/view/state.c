@@ -95,6 +95,9 @@ static void act(struct view_state *s, int does) {
         s->camera = s->home;
         s->camera_changes++;
         break;
+    case VIEW_DO_PRICE:
+        s->price = !s->price;
+        break;
     case VIEW_DO_CAMERA:
         s->print = 1;
         break;

@@ -18,6 +18,7 @@ struct view_state {
     struct sph_build_options build; /* what the machine is asked to be */
     int width, height;
     int layer;                              /* VIEW_* of keys.h */
+    int price;                              /* 1: frames at rest are measured */
     uint64_t camera_changes, build_changes; /* counted */
     int quit, help, print, clear, clicked;  /* asked for; whoever does it sets it back */
     int x, y;                               /* pixel that was clicked */

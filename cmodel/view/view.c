@@ -37,14 +37,14 @@ static void take_inputs(struct view *v) {
     struct view_event event;
     int busy = v->o->script || v->shown < VIEW_PASSES || view_state_hold(s, view_now());
     for (double wait = busy ? BRISK : IDLE; v->calls->next(v->screen, wait, &event); wait = 0) {
-        int layer = s->layer;
+        int layer = s->layer, price = s->price;
         uint64_t build = s->build_changes;
         int answer = view_state_input(s, &event, view_now());
         if (answer)
             view_meter_input(&v->meter, v->o->script ? v->input : view_now(), s->camera_changes);
         if (s->layer != layer) v->keep_under = 0; /* its colours are of the other layer */
-        v->redraw |= s->layer != layer || s->build_changes != build || event.kind == VIEW_EXPOSED ||
-                     (answer && s->camera_changes == v->job_camera);
+        v->redraw |= s->layer != layer || s->build_changes != build || s->price != price ||
+                     event.kind == VIEW_EXPOSED || (answer && s->camera_changes == v->job_camera);
         serve(v);
     }
     if (view_state_hold(s, view_now())) v->meter.last_input = view_now(); /* it still moves */
@@ -57,7 +57,8 @@ static int make_room(struct view *v) {
     v->under = calloc(n, sizeof *v->under);
     v->builder = view_maker_new(v->o->scene, view_make_machine);
     v->truths = view_maker_new(v->o->scene, view_make_truth);
-    if (!v->picture || !v->over || !v->under || !v->builder || !v->truths)
+    v->prices = view_maker_new(v->o->scene, view_make_price);
+    if (!v->picture || !v->over || !v->under || !v->builder || !v->truths || !v->prices)
         return sph_fail(v->err, "no memory for a picture of %dx%d", v->state.width,
                         v->state.height);
     v->workers = view_workers_new(v->state.width, v->state.height, v->o->threads, v->err);
@@ -81,12 +82,13 @@ static int open_all(struct view *v) {
 static void close_all(struct view *v, int *left) {
     if (v->screen) v->calls->close(v->screen);
     view_workers_free(v->workers);
-    *left = view_maker_free(v->builder) | view_maker_free(v->truths);
+    *left = view_maker_free(v->builder) | view_maker_free(v->truths) | view_maker_free(v->prices);
     for (struct view_made *made = v->made, *before; made; made = before) {
         before = made->before;
         view_made_free(made);
     }
     view_made_free(v->truth);
+    view_made_free(v->price);
     view_rays_free(&v->rays);
     view_script_free(&v->script);
     free(v->srgb);

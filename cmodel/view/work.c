@@ -1,6 +1,7 @@
 /* work.c - which machine is built and what is drawn with it; see live.h
  * SPDX-License-Identifier: Apache-2.0
  */
+#include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -95,38 +96,44 @@ static void ask_machine(struct view *v, double now) {
     view_maker_ask(v->builder, &want);
 }
 
-static int truth_known(const struct view *v) {
-    return v->truth && v->truth->camera_changes == v->state.camera_changes &&
-           v->truth->build_changes == v->state.build_changes;
+int view_stands(const struct view *v, const struct view_made *made) {
+    return made && made->camera_changes == v->state.camera_changes &&
+           made->build_changes == v->state.build_changes;
 }
 
-static void work_truth(struct view *v) {
+/* Takes what a maker beside the picture has made; asks it for more if that is wanted and the
+ * picture is drawn. 1 if there is something new. */
+static int work_beside(struct view *v, struct view_maker *maker, struct view_made **kept,
+                       uint64_t *bad, int wanted) {
     const struct view_state *s = &v->state;
-    struct view_made *made = view_maker_take(v->truths);
+    struct view_made *made = view_maker_take(maker);
+    int taken = made && !made->failed;
     if (made && made->failed) {
         fprintf(stderr, "sphaera: %s\n", made->err.text);
-        v->bad_truth = made->camera_changes;
+        *bad = made->camera_changes;
         view_made_free(made);
     } else if (made) {
-        view_made_free(v->truth);
-        v->truth = made;
+        view_made_free(*kept);
+        *kept = made;
         v->redraw = 1;
     }
-    if (s->layer != VIEW_DIFFERENCE || truth_known(v) || v->bad_truth == s->camera_changes ||
-        !v->exact || v->shown < VIEW_PASSES || view_maker_busy(v->truths))
-        return;
+    if (!wanted || view_stands(v, *kept) || *bad == s->camera_changes || !v->exact ||
+        v->shown < VIEW_PASSES || view_maker_busy(maker))
+        return taken;
     struct view_made want = {.camera = s->camera,
                              .build = s->build,
                              .camera_changes = s->camera_changes,
                              .build_changes = s->build_changes};
     want.build.width = s->width, want.build.height = s->height;
-    view_maker_ask(v->truths, &want);
+    view_maker_ask(maker, &want);
+    return taken;
 }
 
 int view_refined(const struct view *v) {
     return v->job_camera == v->state.camera_changes && v->job_build == v->state.build_changes &&
            v->exact && v->shown == VIEW_PASSES && !v->redraw &&
-           (v->state.layer != VIEW_DIFFERENCE || truth_known(v));
+           (v->state.layer != VIEW_DIFFERENCE || view_stands(v, v->truth)) &&
+           (!v->state.price || view_stands(v, v->price));
 }
 
 void view_work(struct view *v, double now) {
@@ -140,5 +147,11 @@ void view_work(struct view *v, double now) {
     }
     free_machines(v);
     if (!v->failed) ask_machine(v, now);
-    work_truth(v);
+    work_beside(v, v->truths, &v->truth, &v->bad_truth, v->state.layer == VIEW_DIFFERENCE);
+    if (work_beside(v, v->prices, &v->price, &v->bad_price, v->state.price)) {
+        const struct view_price *p = &v->price->price;
+        printf("price    %s: %.2f dB, %" PRIu64 " wrong, %.2f cycles a pixel, most for %s\n",
+               sph_build_profile(&v->price->build)->name, p->psnr, p->wrong, p->cycles, p->limit);
+        fflush(stdout);
+    }
 }

@@ -46,6 +46,15 @@ oiiotool $list --mosaic:pad=4 4x2 -o "$to/refraction_depths.png"
 draw scenes/refraction/index.nff --size 640x320 --depth 5 -o "$to/refraction_index.png"
 draw scenes/refraction/water.nff --size 400x300 --depth 5 -o "$to/refraction_water.png"
 
+# what accuracy costs a scene in time, and where the picture of each profile is off
+price=$(make -s price SCENE=paper100 SIZE=320x180 | sed -n 's|^look at file://\(.*\)/price.html|\1|p')
+cp "$price/price.svg" "$to/price.svg"
+for n in 1 2 3 4; do
+    oiiotool "$price/difference-$n.png" --cut 320x180+640+0 -o "$scenes/price$n.png"
+done
+oiiotool "$scenes/price1.png" "$scenes/price2.png" "$scenes/price3.png" "$scenes/price4.png" \
+    --mosaic:pad=4 4x1 -o "$to/price.png"
+
 # the live view, if there is SDL2: in a window that nobody sees
 tool=$(realpath "$tool")
 here=$(pwd)

@@ -18,7 +18,8 @@ module minimal;
     integer      i, file;
     rt_core #(                        // as the comments of these files say, and no more
         .W(12), .WD(13), .PQ(13), .NG(2), .FW(12), .PR(0), .SHADOW(1), .REFLECT(2), .LIGHTS(1),
-        .INSIDE(0), .FIRST(0), .INTERPENETRATE(0), .FACETS(0), .RECT(0), .SPANS(0), .CONES(0)
+        .INSIDE(0), .FIRST(0), .INTERPENETRATE(0), .FACETS(0), .RECT(0), .SPANS(0), .CONES(0),
+        .CAMERA(0)
     ) u_core (
         .clk(clk), .rst(step[7]), .start_i(step == 120), .keep_cache_i(1'b0), .busy_o(busy),
         .cfg_valid_i(step < 120), .cfg_addr_i(step[6:0]), .cfg_data_i(regs[step[6:0]]),

@@ -72,7 +72,7 @@ class Built:
 
 
 class Line(Built):
-    """A line of tb/benches*.txt: `configuration module bench parameters / the bench's own`."""
+    """A line of tb/benches.txt: `configuration module bench parameters / the bench's own`."""
 
     def __init__(self, line, build):
         self.words = line.split()
@@ -153,5 +153,5 @@ def every(build, kind=Line, whole=True):
     lines = [kind(line, build) for line in lists.listed(whole)]
     for name, times in Counter(line.name for line in lines).items():
         if times > 1:   # both would share a folder
-            raise Broken(f"{name} stands twice in tb/benches*.txt")
+            raise Broken(f"{name} stands twice in tb/benches.txt")
     return lines

@@ -1,14 +1,15 @@
-# lists.py - lines of tb/benches*.txt, with the widths of their profiles filled in
+# lists.py - lines of tb/benches.txt, with the widths of their profiles filled in
 # SPDX-License-Identifier: Apache-2.0
 """A line: configuration, module, bench, parameters of the module / of the bench alone. In it
   each            stands for every profile, a line each; without ALL=1 for the first and the last
   more            before a line: only with ALL=1
   NAME@PROFILE    is configuration NAME with the widths of a profile
   W, WD, PQ, NG, FW, PR   alone are the width of the profile; XW=2*W+2*WD is made of them"""
-import glob
 import re
 
 from sim.definition import Definition
+
+FILE = "tb/benches.txt"
 
 
 def number(text, widths):
@@ -46,15 +47,14 @@ def lines_of(name, words, whole, profiles):
 def listed(whole):
     """whole: of ALL=1. Raises ValueError with file and line."""
     profiles = Definition().profiles
-    for file in sorted(glob.glob("tb/benches*.txt")):
-        with open(file, encoding="utf-8") as f:
-            for at, line in enumerate(f, 1):
-                words = line.split() if not line.startswith("#") else []
-                more = words[:1] == ["more"]
-                if len(words) < 3 + more and words:
-                    raise ValueError(f"{file}:{at}: no configuration, module and bench")
-                if words and (whole or not more):
-                    try:
-                        yield from lines_of(words[more], words[more + 1:], whole, profiles)
-                    except ValueError as why:
-                        raise ValueError(f"{file}:{at}: {why}") from why
+    with open(FILE, encoding="utf-8") as f:
+        for at, line in enumerate(f, 1):
+            words = line.split() if not line.startswith("#") else []
+            more = words[:1] == ["more"]
+            if len(words) < 3 + more and words:
+                raise ValueError(f"{FILE}:{at}: no configuration, module and bench")
+            if words and (whole or not more):
+                try:
+                    yield from lines_of(words[more], words[more + 1:], whole, profiles)
+                except ValueError as why:
+                    raise ValueError(f"{FILE}:{at}: {why}") from why

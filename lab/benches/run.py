@@ -1,6 +1,6 @@
 # run.py - builds benches of modules as far as they are old, and runs them
 # SPDX-License-Identifier: Apache-2.0
-"""PATTERN selects lines of tb/benches*.txt by bench/configuration, such as tb_leaf or
+"""PATTERN selects lines of tb/benches.txt by bench/configuration, such as tb_leaf or
 tb_leaf/standard; of all lines (/, the default) those that are for ALL=1 are left out without it.
 --show prints them; --tools builds what all benches have in common, and no more. SEED is a number
 (1), VECTORS how many (as many as the bench takes).

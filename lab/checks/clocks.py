@@ -26,7 +26,8 @@ def placed(core, routed, reached):
         (folder / f"8-{seed}/placed.json").write_text(json.dumps(
             {"fmax": mhz, "routed": routed, "nextpnr": "nextpnr-0.11.1"}))
     seeds = [f"8-{seed}" for seed in range(1, len(reached) + 1)]
-    subprocess.run([sys.executable, "-m", "lab", "seeds", core, folder, *seeds], check=True)
+    subprocess.run([sys.executable, "-m", "lab", "seeds", core, folder / "core", folder,
+                    *seeds], check=True)
     return [row for row in clocks.rows() if row["core"] == core]
 
 

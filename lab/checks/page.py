@@ -16,8 +16,7 @@ folder = sys.argv[1]
 results, page = folder + "/results", folder + "/docs/results/accuracy.md"
 beside = Path(page).parent / "data"  # tables that are too long for the page
 beside.mkdir(parents=True)
-for table in Path("docs/results/data").glob("accuracy.*.tsv"):
-    shutil.copy(table, beside)
+shutil.copy("docs/results/data/accuracy.tsv", beside)
 
 
 def page_of(*options):
@@ -95,7 +94,7 @@ for name in "multipliers", "luts":
 # ---- what lacks a result is told, and stays as it was in the page; the rest has its stamp ----
 text = Path(page).read_text(encoding="utf-8")
 assert "the table profiles stays as it is: no result of " in said, said
-assert "| 56.2 " not in text, text
+assert not re.search(r"`standard` *\| 56\.2 ", text), text
 record = beside / "measured.tsv"
 stamped = {line.split("\t")[1] for line in record.read_text(encoding="utf-8").splitlines()
            if not line.startswith("#")} if record.exists() else set()

@@ -16,6 +16,7 @@ import signal
 import subprocess
 import tempfile
 import threading
+from pathlib import Path
 
 from .. import benches
 from ..benches import Broken
@@ -29,7 +30,7 @@ CORES = {"core": {"EFFECTS": "all"}, "textured": {"EFFECTS": "auto"},
          "piped": {"EFFECTS": "auto", "PIPES": "3", "LEAF_UNITS": "1"},
          "agree": {"EFFECTS": "auto"}}
 # objects of other simulators
-HARNESS = r"verilated|simulate_(verilator|netlist|cxxrtl|host|stages)"
+HARNESS = r"/tb_(?!core)|simulate_(verilator|netlist|cxxrtl|host|stages)"
 # What a comparison tells of the first difference, the most telling first.
 HOW = (r"^  stage +(.*)", r"^(counter [^ ]*)", r"^(error bit [a-z_]*)", r"(no progress for .*)",
        r"^vvp ended .* time: .*u_core\.(.*)", r"^(not ok.*)", r"^ *PROVE [^:]*: (.*)",
@@ -333,8 +334,9 @@ class Planting:
         self.shop.must([*programs.COMPILER, "-O1", "-Icmodel", "-c", "tests/faults/literal.c", "-o",
                         literal], self.say)
         harness = self.linked(
-            "harness", [*sorted(n for n in glob.glob(f"{self.shop.build}/sim/obj/*.o")
-                                if not re.search(HARNESS, n)), *self.objects(judge), literal],
+            "harness", [*(f"{self.shop.build}/sim/obj/{Path(n).stem}.o"
+                          for n in sorted(glob.glob("tb/core/*.cpp"))
+                          if not re.search(HARNESS, n)), *self.objects(judge), literal],
             "-Wl,--wrap=sph_render")
         built = self.shop.must(["sim/cores.py", "parameters", core], lambda text: None).strip()
         rc, text = self.shop.run(

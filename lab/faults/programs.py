@@ -34,7 +34,8 @@ def compiled(folder, name, text, how=("-O1",), compiler=COMPILER):
 def own(build, suite, sanitized=False):
     """Object files of a suite itself."""
     if suite in HARD:
-        return [*sorted(glob.glob(f"{build}/test/obj/tests/hard/*.o")),
+        sources = sorted(glob.glob("tests/hard/*.c"))
+        return [*(f"{build}/test/obj/{name[:-2]}.o" for name in sources),
                 f"{build}/obj/cmodel/tool/progress.o"]
     return [f"{build}/test/{suite}{'.sanitized' if sanitized else ''}.o"]
 

@@ -16,7 +16,7 @@ There may be several files in a record, each with its from and to, and several j
     core SCENE [OPTION...] [-- OPTION...]   the core in Icarus against the sound model: options of
                                    `sphaera build`, of the harness; textured: a core of just what
                                    the scene asks for; piped: with three pipes
-    bench PATTERN [case N]         lines of tb/benches*.txt; of a named hard case the vectors alone
+    bench PATTERN [case N]         lines of tb/benches.txt; of a named hard case the vectors alone
     top [WIDTH [LAYERS]]           rt_top around the sound model, under its driver
     hard N                         the model, in a named case of build/test/hard
     test NAME                      the model, in a test of tests/

@@ -7,6 +7,7 @@ from .lines import Lines, c_head, told, verilog_head
 
 FROM = "top.def and machine.def"
 WORD = (1 << 32) - 1
+ONLY = ("LAYERS", "ADDR")       # parameters that registers may depend on
 ACCESS = ("ro", "rw", "wo", "w1c")
 
 # offset, reset: as C and SystemRDL have them, 0x...; reset may be "built"
@@ -29,22 +30,26 @@ def listed(values):
 
 class Registers:
     """registers of rt_top in the order of their offsets; machine: {number: name} of those of the
-    core; counters: {number: (name, what it counts)}; place: {MACHINE or COUNTERS: offset};
-    layers: whether the last register is there with parameter LAYERS alone."""
+    core, of_machine: the Registers, those of each light among them; counters: {number: (name, what
+    it counts)}; place: {MACHINE or COUNTERS: offset}; only: {register: parameter with which alone
+    it is there}."""
 
     def __init__(self, machine, version="VERSION"):
         rows = machine.rows
         self.machine = {int(words[0]): words[1] for kind, words in rows if kind == "reg"}
+        self.trees = {name: value for name, value in machine.constants.items()
+                      if name.startswith("TREE_")}
         self.errors = [(words[1], " ".join(words[2:])) for kind, words in rows if kind == "error"]
         self.counters = {int(words[0]): (words[1], " ".join(words[3:])) for kind, words in rows
                          if kind == "counter"}
         with open(version, encoding="utf-8") as f:
             major, minor, _ = f.read().strip().split(".")
         self.release = f"0x{int(major):04x}{int(minor):04x}"
-        self.registers, self.place, self.layers = [], {}, False
+        self.registers, self.place, self.only = [], {}, {}
         self.lines = Lines("cmodel/machine/top.def")
         self.lines.each(self.take)
         self.registers_of_machine = max(self.machine) + 1
+        self.of_machine = list(self.machine_registers(machine))
         self.counts = max(self.counters) + 1
 
     def take(self, kind, words, text):
@@ -54,9 +59,9 @@ class Registers:
         elif kind == "bits":
             self.field(int(words[0]), int(words[1]), words[2], about)
         elif kind == "only":
-            if words[0] != "LAYERS" or self.registers[-1].access != "rw":
-                self.lines.fail("only LAYERS, of a setting")
-            self.layers = True
+            if words[0] not in ONLY or self.registers[-1].access != "rw":
+                self.lines.fail(f"only {' or '.join(ONLY)}, of a setting")
+            self.only[self.registers[-1].name] = words[0]
         elif kind == "place":
             self.place[words[1]] = words[0]
         elif kind == "count":
@@ -71,8 +76,6 @@ class Registers:
 
     def register(self, words, about):
         offset, name, access, reset = words[:4]
-        if self.layers:
-            self.lines.fail("no register stands behind one of LAYERS alone")
         if access not in ACCESS:
             self.lines.fail("access is ro, rw, wo or w1c")
         before = self.number(self.registers[-1].offset) if self.registers else -1
@@ -90,6 +93,35 @@ class Registers:
         if lsb + width > 32 or lsb < free:
             self.lines.fail(f"bits of {register.name} overlap")
         register.fields.append(Field(lsb, width, name, about))
+
+    def machine_registers(self, machine):
+        """Each keeps all 32 bits; a register without a meaning has that of the one above it."""
+        fields, about, name, told_of = {}, {}, None, None
+        for kind, words in machine.rows:
+            if kind == "reg":
+                name, what = words[1], " ".join(words[2:])
+                about[name] = what or f"as {told_of}"
+                told_of = name if what else told_of
+            elif kind == "bits":
+                fields.setdefault(name, []).append(
+                    Field(int(words[0]), int(words[1]), words[2], " ".join(words[4:])))
+        fields["EFFECTS"] = [Field(e.bit, 1, e.name.upper(), e.about) for e in sorted(
+            (e for e in machine.effects.values() if e.bit is not None), key=lambda e: e.bit)]
+        fields["PROFILE"] = [
+            Field(int(lsb), int(width), key.upper(), " ".join(why[why.index(":") + 1:]))
+            for kind, (key, lsb, width, *why) in
+            (row for row in machine.rows if row[0] == "width")]
+        for number, name in sorted(self.machine.items()):
+            own = sorted(fields.get(name, [Field(0, 32, "VALUE", about[name])]))
+            end = sum(own[-1][:2])
+            if end < 32:
+                own.append(Field(end, 32 - end, "UNUSED", "kept, without a meaning"))
+            lights = machine.constants["MAX_LIGHTS"] if name.startswith("LIGHT0_") else 1
+            for light in range(lights):
+                at = self.number(self.place["MACHINE"]) + \
+                    4 * (number + light * machine.constants["LIGHT_STRIDE"])
+                yield Register(f"0x{at:03x}", name.replace("LIGHT0", f"LIGHT{light}"), "rw",
+                               "0x00000000", about[name], own)
 
     # ---- rt_top.vh ----
     def verilog(self):
@@ -113,7 +145,9 @@ class Registers:
         others.reverse()
         define("SETTINGS", len(settings))
         define("SETTINGS_RESET", listed(f"32'h{r.reset[2:]}" for r in settings))
-        define("SETTINGS_OF_LAYERS", int(self.layers))
+        for parameter in ONLY:     # from the highest down, too
+            there = "".join(str(int(self.only.get(r.name) == parameter)) for r in settings)
+            define(f"SETTINGS_OF_{parameter}", f"{len(settings)}'b{there}")
         define("OTHERS", len(others))
         define("OTHERS_AT", listed(f"12'h{r.offset[2:]}" for r in others))
         define("SETTINGS_KEPT", listed(
@@ -152,6 +186,9 @@ class Registers:
         for number, name in sorted(self.machine.items()):
             define(f"REG_{name}", f"{number}u")
         lines.append("")
+        for name, value in self.trees.items():
+            define(name, f"{value}u")
+        lines.append("")
         for number, (name, _) in sorted(self.counters.items()):
             define(f"COUNT_{name}", f"{number}u")
         each = "".join(f' \\\n    X(SPHAERA_ERRORS_{f.name}, "{f.about}")'
@@ -160,37 +197,36 @@ class Registers:
                      f"#define SPHAERA_EACH_ERROR(X){each}", "", "#endif"])
 
     # ---- SystemRDL ----
+    def rows(self):
+        """(name, offset, access, what it is, [(Field, value after reset or None)]) of all that the
+        bus sees, by offset."""
+        for r in self.registers:
+            value = None if r.reset == "built" else self.number(r.reset)
+            fields = r.fields or [Field(0, 32, "VALUE", r.about)]
+            yield r.name, r.offset, r.access, r.about, \
+                [(f, None if value is None else (value & mask(f)) >> f.lsb) for f in fields]
+        for r in sorted(self.of_machine):
+            yield f"M_{r.name}", r.offset, "rw", r.about, [(f, 0) for f in r.fields]
+        for number, (name, about) in sorted(self.counters.items()):
+            for i, (half, width) in enumerate((("LOW", 32), ("HIGH", 16))):
+                at = self.number(self.place["COUNTERS"]) + 8 * number + 4 * i
+                yield f"C_{name}_{half}", f"0x{at:03x}", "ro", about, \
+                    [(Field(0, width, "VALUE", about), None)]
+
     def rdl(self):
         lines = [*verilog_head("rt_top.rdl", FROM), "addrmap rt_top {", '    name = "rt_top";',
                  "    default regwidth = 32;", "    default accesswidth = 32;",
                  "    addressing = compact;"]
-
-        def register(name, offset, fields, access="ro", about=None):
-            """fields: (Field, value after reset or None)"""
+        for name, offset, access, about, fields in self.rows():
             sw = {"ro": "r", "wo": "w"}.get(access, "rw")
             more = {"w1c": " onwrite = woclr;", "wo": " singlepulse;"}.get(access, "")
             hw = "w" if sw == "r" else "rw" if access == "w1c" else "r"
-            lines.append("    reg {")
-            lines.extend([f'        desc = "{about}";'] if about else [])
+            lines += ["    reg {", f'        desc = "{about}";']
             for f, value in fields:
                 reset = "" if value is None else f" = 0x{value:x}"
                 lines.append(f'        field {{ desc = "{f.about}"; sw = {sw}; hw = {hw};{more} }} '
                              f"{f.name}[{bits(f)}]{reset};")
             lines.append(f"    }} {name} @ {offset};")
-        for r in self.registers:
-            value = None if r.reset == "built" else self.number(r.reset)
-            fields = r.fields or [Field(0, 32, "VALUE", r.about)]
-            register(r.name, r.offset,
-                     [(f, None if value is None else (value & mask(f)) >> f.lsb) for f in fields],
-                     r.access, r.about)
-        for number, name in sorted(self.machine.items()):
-            register(f"M_{name}", f"0x{self.number(self.place['MACHINE']) + 4 * number:03x}",
-                     [(Field(0, 32, "VALUE", f"register {number} of the machine"), 0)], "rw")
-        for number, (name, about) in sorted(self.counters.items()):
-            for i, (half, width) in enumerate((("LOW", 32), ("HIGH", 16))):
-                at = self.number(self.place["COUNTERS"]) + 8 * number + 4 * i
-                register(f"C_{name}_{half}", f"0x{at:03x}",
-                         [(Field(0, width, "VALUE", about), None)])
         return told([*lines, "};"])
 
     # ---- the table of the page ----

@@ -34,9 +34,9 @@ static void put(void *user, uint32_t offset, uint32_t value) {
 }
 
 /* The block sees the SDRAM where the processor does; no cache of the system stands between. */
-static void copy(void *user, uint32_t address, const uint8_t *bytes, uint32_t count) {
+static void copy(void *user, uint64_t address, const uint8_t *bytes, uint32_t count) {
     (void)user;
-    volatile uint8_t *to = (volatile uint8_t *)address;
+    volatile uint8_t *to = (volatile uint8_t *)(uintptr_t)address;
     while (count--)
         *to++ = *bytes++;
 }
@@ -62,7 +62,7 @@ static void say_hex(uint32_t value, int digits) {
  * call; the line is seen as a pending one. */
 void isr(void) {}
 
-static int draw(struct sphaera *s, const uint8_t *file, const uint32_t frames[3]) {
+static int draw(struct sphaera *s, const uint8_t *file, const uint64_t frames[3]) {
     static const struct sphaera_mode modes[] = {
 #define MODE(name, khz, ...) {__VA_ARGS__, 0},
         SPHAERA_MODES(MODE)
@@ -99,14 +99,14 @@ static void say_count(struct sphaera *s, const char *name, int number) {
 
 #ifdef CSR_SIM_FINISH_BASE
 /* The newest frame, a row a line, each pixel as the four digits of its RGB565. */
-static void say_pixels(const struct sphaera *s, const uint8_t *file, const uint32_t frames[3]) {
+static void say_pixels(const struct sphaera *s, const uint8_t *file, const uint64_t frames[3]) {
     const uint8_t *registers = file + SPHAERA_HEADER_LEAST;
     const uint32_t width = sphaera_file_word(registers + 4 * SPHAERA_REG_FRAME_W);
     const uint32_t height = sphaera_file_word(registers + 4 * SPHAERA_REG_FRAME_H);
     const uint32_t status = s->bus.read(s->bus.user, SPHAERA_STATUS);
     const uint32_t newest = (status & SPHAERA_STATUS_NEWEST) >> SPHAERA_STATUS_NEWEST_LSB;
     for (uint32_t y = 0; y < height; y++) {
-        const volatile uint16_t *row = (const volatile uint16_t *)(frames[newest] + y * STRIDE);
+        const volatile uint16_t *row = (const volatile uint16_t *)(uintptr_t)(frames[newest] + y * STRIDE);
         say("row ");
         for (uint32_t x = 0; x < width; x++)
             say_hex(row[x], 4);
@@ -117,7 +117,7 @@ static void say_pixels(const struct sphaera *s, const uint8_t *file, const uint3
 
 int main(void) {
     const uint8_t *file = (const uint8_t *)(MAIN_RAM_BASE + FILE_AT);
-    uint32_t frames[3];
+    uint64_t frames[3];
     struct sphaera s;
     for (uint32_t i = 0; i < 3; i++)
         frames[i] = MAIN_RAM_BASE + FRAMES_AT + i * APART;

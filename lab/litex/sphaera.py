@@ -16,7 +16,11 @@ PAYLOAD = {"aw": ("addr", "len", "size", "burst"), "ar": ("addr", "len", "size",
 LITE = {"aw": ("addr",), "w": ("data", "strb"), "b": ("resp",), "ar": ("addr",),
         "r": ("data", "resp")}
 UNSEEN = ("show_valid_o", "show_base_o", "m_video_tvalid", "m_video_tdata", "m_video_tuser",
-          "m_video_tlast", "de_o", "hsync_o", "vsync_o")  # outputs that nothing looks at
+          "m_video_tlast", "de_o", "hsync_o", "vsync_o", "active_o",
+          *(f"m_{master}_{name}" for master, names in (
+              ("scene", "arcache arprot arqos"), ("frame", "awid awcache awprot awqos"),
+              ("scan", "arid arcache arprot arqos"))
+            for name in names.split()))  # outputs that nothing looks at
 
 
 def integer(value):

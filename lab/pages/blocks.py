@@ -102,13 +102,12 @@ def _payload(group):
 
 
 def benches():
-    """{module: bench} of the lists in tb/."""
+    """{module: benches} of the list in tb/."""
     found = {}
-    for path in sorted(Path("tb").glob("benches*.txt")):
-        for line in path.read_text().splitlines():
-            word = line.split("#")[0].removeprefix("more ").split()
-            if word:
-                found.setdefault(word[1], []).append(word[2])
+    for line in Path("tb/benches.txt").read_text().splitlines():
+        word = line.split("#")[0].removeprefix("more ").split()
+        if word:
+            found.setdefault(word[1], []).append(word[2])
     return found
 
 

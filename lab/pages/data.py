@@ -1,24 +1,54 @@
-# data.py - tables that are too long for a page: docs/results/data/PAGE.TABLE.tsv
+# data.py - tables that are too long for a page: docs/results/data/PAGE.tsv
 # SPDX-License-Identifier: Apache-2.0
-"""Such a file has a line of SPDX, a line of column names, and a line for each row. A page shows
-some of it with the regions `rows PAGE.TABLE` and `cell PAGE.TABLE; ROW; COLUMN`. Which rows and
+"""A page's file has them one below the other: a line `# table NAME`, a line of column names, and a
+line for each row. An empty table is one that no command has filled yet. A page shows some of it
+with the regions `rows PAGE.TABLE` and `cell PAGE.TABLE; ROW; COLUMN`. Which rows and
 columns, says a line `PAGE.TABLE; ROW | ROW...; COLUMN | COLUMN...` of SHOWN; nothing stands for all
 of them. A row is named by its first column, or by its first ones joined by blanks."""
 import os
 import re
 from pathlib import Path
 
+from .. import intact
 from . import markdown
 
 FOLDER = Path("docs/results/data")
 SHOWN = FOLDER / "shown.txt"
 HEAD = "# SPDX-License-Identifier: Apache-2.0\n"
+TITLE = "# {0}.tsv - the long tables of {0}.md, as lab/pages/data.py reads them\n" + HEAD
+MARK = re.compile(r"^# table (\w+)\n", re.M)
 
 
-def path_of(page, table):
-    """Where the table of a page lies if it is not in the page itself."""
+def path_of(page):
+    """Where those tables of a page lie that are not in the page itself."""
     page = Path(page)
-    return page.parent / "data" / f"{page.stem}.{table}.tsv"
+    return page.parent / "data" / f"{page.stem}.tsv"
+
+
+def tables(page):
+    """{name: text} of them, each text as of_rows() makes it."""
+    path = path_of(page)
+    if not path.exists():
+        return {}
+    _, *parts = MARK.split(path.read_text(encoding="utf-8"))
+    return {name: HEAD + text.rstrip("\n") + "\n" for name, text in zip(parts[::2], parts[1::2])}
+
+
+def names():
+    """Every table of the folder, as read() takes it."""
+    for path in sorted(FOLDER.glob("*.tsv")):
+        page = FOLDER.parent / f"{path.stem}.md"
+        if page.exists():
+            yield from (f"{path.stem}.{name}" for name in tables(page))
+        else:
+            yield path.stem
+
+
+def put(page, texts):
+    """Writes these tables of a page; its others stay."""
+    path, kept = path_of(page), {**tables(page), **texts}
+    intact.write(path, TITLE.format(path.stem) + "".join(
+        f"\n# table {name}\n{kept[name].removeprefix(HEAD)}" for name in sorted(kept)))
 
 
 def of_rows(rows):
@@ -38,13 +68,16 @@ def of_markdown(text):
 
 
 def read(name):
-    """(column names, rows), of a file or of a table in its page."""
-    if (FOLDER / f"{name}.tsv").exists():
+    """(column names, rows) of NAME.tsv, or of PAGE.TABLE: in the page, or in its file."""
+    stem, _, table = name.partition(".")
+    page = FOLDER.parent / f"{stem}.md"
+    if not table:
         text = (FOLDER / f"{name}.tsv").read_text(encoding="utf-8")
+    elif table in (long := tables(page)):
+        text = long[table]
     else:
-        page, _, table = name.partition(".")
-        page = (FOLDER.parent / f"{page}.md").read_text(encoding="utf-8")
-        text = of_markdown(re.search(rf"<!-- {table} -->\n(.*?)<!-- end -->", page, re.S)[1])
+        text = of_markdown(re.search(rf"<!-- {table} -->\n(.*?)<!-- end -->",
+                                     page.read_text(encoding="utf-8"), re.S)[1])
     lines = text.splitlines()
     head, *rows = [line.split("\t") for line in lines if not line.startswith("# ")]
     return head, rows

@@ -1,10 +1,10 @@
 # measured.py - which run made each measured table of the pages: command, commit, day
 # SPDX-License-Identifier: Apache-2.0
-"""A measured table stands between `<!-- NAME -->` and `<!-- end -->` of a page, or in the folder
-`data` beside it. The record has a line for each: page, table, command, the last commit that
-changed sources, its day, digest of the table. place.py alone writes such a table and its line, at
-once, when a command has measured that table whole. A page says with the region `measured PAGE` what
-the record has of it.
+"""A measured table stands between `<!-- NAME -->` and `<!-- end -->` of a page, or in the page's
+file of the folder `data` beside it (data.py). The record has a line for each: page, table, command,
+the last commit that changed sources, its day, digest of the table. place.py alone writes such a
+table and its line, at once, when a command has measured that table whole. A page says with the
+region `measured PAGE` what the record has of it.
 
 Whether sources have changed since is no matter of the pages: `make pages-age` tells it."""
 import hashlib
@@ -16,6 +16,7 @@ from itertools import groupby
 from pathlib import Path
 
 from .. import intact
+from . import data
 
 NAME = "docs/results/data/measured.tsv"
 HEAD = ("# measured.tsv - which run made each table of the pages\n"
@@ -35,11 +36,10 @@ def record_of(page):
 
 
 def tables(page):
-    """{name: digest} of the measured tables of a page, those in files beside it among them."""
+    """{name: digest} of the measured tables of a page, those in the file beside it among them."""
     page = Path(page)
     texts = dict(TABLE.findall(page.read_text(encoding="utf-8")))
-    for path in (page.parent / "data").glob(f"{page.stem}.*.tsv"):
-        texts[path.name.split(".")[1]] = path.read_text(encoding="utf-8")
+    texts.update(data.tables(page))
     return {name: hashlib.sha256(body.encode()).hexdigest()[:8] for name, body in texts.items()}
 
 

@@ -12,17 +12,17 @@ from . import data, markdown, measured, whole
 
 def place(page, command, tables, yosys=None, rest=False):
     """Tables that `command` has measured, NAME: text, or a function that makes it, or rows with the
-    column names first. Each NAME stands once in the page, or has a file of its own beside it
+    column names first. Each NAME stands once in the page, or in the file beside it
     (data.py). A table that lacks a result
     (whole.py) is shown on the terminal alone: page and stamp of it stay as they are. With rest some
     rows alone are new, and the stamp stays as well. Yosys's version is brought up to date if it is
     given. The words of the page that are made of tables follow. Returns the names that were put."""
     with open(page, encoding="utf-8") as f:
         text = f.read()
-    put, files = [], {}
+    put, beside, found = [], data.tables(page), {}
     for name in tables:
         n = len(re.findall(rf"^<!-- {name} -->$", text, re.M))
-        if n != 1 and not data.path_of(page, name).exists():
+        if n != 1 and name not in beside:
             sys.exit(f"page: {page}: {n} places for the table `{name}`, not one")
     for name, table in tables.items():
         lines, lacking = whole.made(table)
@@ -32,9 +32,9 @@ def place(page, command, tables, yosys=None, rest=False):
             print(lines or "", end="\n" * bool(lines))
             continue
         put.append(name)
-        rows, file = isinstance(lines, list), data.path_of(page, name)
-        if file.exists():
-            files[file] = data.of_rows(lines) if rows else data.of_markdown(lines)
+        rows = isinstance(lines, list)
+        if name in beside:
+            found[name] = data.of_rows(lines) if rows else data.of_markdown(lines)
             continue
         lines = markdown.table(lines[0], lines[1:]) if rows else lines.rstrip("\n")
         pattern = rf"(<!-- {name} -->\n)(?:(?!<!-- ).*\n)*(<!-- end -->)"
@@ -43,8 +43,8 @@ def place(page, command, tables, yosys=None, rest=False):
         return put
     if yosys:
         text = re.sub(r"Yosys \d[\d.]*\d( \([^)[]*\))?", yosys.split(" (")[0], text)
-    for path, lines in files.items():
-        intact.write(path, lines)
+    if found:
+        data.put(page, found)
     intact.write(page, text)
     measured.stamp(page, command, put, rest)
     if subprocess.run([sys.executable, "-m", "lab", "pages", page], check=False).returncode:

@@ -4,7 +4,7 @@
 from ..effects import asks
 from .. import clocks, summary
 from ..papers import claims
-from . import blocks, board, bundles, cores, data, machine, measured, modes, rates, schema
+from . import blocks, board, bundles, cores, data, machine, measured, modes, rates, schema, state
 
 
 class Unknown(Exception):
@@ -33,6 +33,7 @@ MAKERS = {
     "budget": cores.budget, "asks": asks.table, "modes": modes.modes, "core_runs": cores.runs,
     "schema": schema.members, "claims": claims.table, "verdicts": claims.verdicts,
     "board": board.board, "clock": clocks.mhz, "clocks": rates.routed, "rates": rates.table,
+    "state": state.table, "stages": state.counts,
     "frames": rates.frames, "milliseconds": rates.milliseconds, "against": rates.against,
     "nearest": rates.nearest, "misses": summary.misses,
 }

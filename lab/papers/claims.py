@@ -1,7 +1,7 @@
 # claims.py - what the three papers claim, and what became of it
 # SPDX-License-Identifier: Apache-2.0
 """A row for each claim: where it stands, what the paper says, what is found here, the command that
-shows it, and a word of VERDICTS. Names in braces are rows of docs/results/data/papers.*.tsv, of
+shows it, and a word of VERDICTS. Names in braces are rows of docs/results/data/papers.tsv, of
 MEASURED, which page.py made of this experiment's runs, or rates of told(); other numbers are of the
 page that the row links."""
 import re

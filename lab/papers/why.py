@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Each function works out, in real numbers and without the model, what the paper says, and counts
 what of its claim fails and for which reason: {name: value}, which lab/papers/claims.py names. TOOL
-makes scenes alone. page.py keeps the values as docs/results/data/papers.why.tsv."""
+makes scenes alone. page.py keeps the values as the table papers.why."""
 import json
 import math
 import subprocess

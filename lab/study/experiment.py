@@ -1,7 +1,7 @@
-# experiment.py - make study, study-page, study-seeds and study-paths
+# experiment.py - make study, study-page, study-seeds, study-paths and study-estimate
 # SPDX-License-Identifier: Apache-2.0
 """RESULTS is the folder of results (BUILD/study/results): put those of several machines together.
-KINDS are kinds of jobs, accuracy, cycles and cells (all), ENGINE and JOBS what runs them
+KINDS are kinds of jobs, accuracy, cycles, cells and price (all), ENGINE and JOBS what runs them
 (docs/guide/simulation.md). points.py says which runs these are, jobs/store.py how a result is kept.
 Clocks are those of SEEDS_CORE placed with SEEDS, SPEED-SEED each, and routed if ROUTE is 1, by the
 nextpnr-ecp5 of the PATH or the pinned one of BUILD/study/venv, which is installed where it is not
@@ -10,6 +10,7 @@ import os
 import subprocess
 import sys
 
+from .. import tasks
 from ..pages import fill
 from ..synth import families
 from . import keys, page, plan, seeds, times
@@ -61,29 +62,47 @@ def install(build):
         pass
 
 
+def synthesised(build):
+    """SEEDS_CORE and the folder of its netlist."""
+    core = os.environ.get("SEEDS_CORE") or sys.exit("SEEDS_CORE is not set: make study-seeds")
+    folder = f"{build}/synth/{core}"
+    subprocess.run(["make", "-s", "-f", "make/area.mk", f"B={build}", f"{folder}/stat.json"],
+                   check=True, env=tasks.clean())
+    return core, folder
+
+
 def placed(build, count=None, **environment):
-    """SEEDS_CORE placed with the first of SEEDS: (core, its folder, these seeds)."""
-    core, chosen = (os.environ.get(name) or sys.exit(f"{name} is not set: make study-seeds")
-                    for name in ("SEEDS_CORE", "SEEDS"))
-    chosen = chosen.split()[:count]
+    """SEEDS_CORE placed with the first of SEEDS: (core, folders of its netlist and of the seeds,
+    these seeds)."""
+    chosen = (os.environ.get("SEEDS") or sys.exit("SEEDS is not set: make study-seeds")).split()
+    chosen = chosen[:count]
     install(build)
+    core, netlist = synthesised(build)
     folder = f"{build}/study/seeds/{core}"
-    subprocess.run(["sh", "synth/core.sh", core, f"{folder}/core"], check=True)
     for word in chosen:
         speed, _, seed = word.partition("-")
         os.makedirs(f"{folder}/{word}", exist_ok=True)
-        subprocess.run(["sh", "synth/place.sh", f"{folder}/core", f"{folder}/{word}"], check=True,
+        subprocess.run(["sh", "synth/place.sh", netlist, f"{folder}/{word}"], check=True,
                        env=dict(os.environ, BUILD=build, SEED=seed, SPEED=speed, **environment))
-    return core, folder, chosen
+    return core, netlist, folder, chosen
 
 
 def clocks(build):
-    core, folder, chosen = placed(build)
-    seeds.main(core, folder, *chosen)
+    core, netlist, folder, chosen = placed(build)
+    seeds.main(core, netlist, folder, *chosen)
     times.main(f"{build}/study")
     return fill.main()
 
 
 def paths(build):
-    _, folder, chosen = placed(build, 1, SDF="1")
+    *_, folder, chosen = placed(build, 1, SDF="1")
     families.main(f"{folder}/{chosen[0]}/delays.sdf")
+
+
+def estimate(build):
+    """Slow paths of SEEDS_CORE by what its wires are expected to take, without nextpnr."""
+    _, folder = synthesised(build)
+    flat = f"{folder}/flat.json"
+    subprocess.run(["yosys", "-q", "-p", f"read_rtlil {folder}/netlist.il; flatten; "
+                    f"opt_clean -purge; write_json {flat}"], check=True)
+    families.main(flat)

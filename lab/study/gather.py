@@ -36,6 +36,11 @@ class Study:
     def cycles(self, core, scene, **words):
         return self.get(keys.job("cycles", scene=scene, size=points.FRAME, **core, **words))
 
+    def price(self, words):
+        """{profile: row of `sphaera price`} of one of points.KINDS or points.TREES."""
+        run = self.get(points.price(words))
+        return {row["profile"]: row for row in run["rows"]} if run else {}
+
     def cells(self, core):
         run = self.get(keys.job("cells", **core))
         return run and run["core"]

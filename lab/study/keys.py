@@ -14,10 +14,11 @@ FIELDS = {
     "accuracy": dict(COMMON, truth="2"),
     "cycles": dict(COMMON, **CORE),
     "cells": CORE,
+    "price": {"scene": None, "size": None, "accel": "auto", "inside": "auto"},
 }
 MODEL = [f"cmodel/{d}/*.[ch]" for d in (
     "builder", "common", "core", "engine", "machine", "math", "memory", "pixel", "prim",
-    "reference", "scene", "shade", "texture", "trace")]
+    "reference", "scene", "shade", "texture", "trace")] + ["cmodel/trial/*.c"]
 BUILD = [f"cmodel/{d}/*.[ch]" for d in ("builder", "scene")] + ["cmodel/machine/machine.def"]
 RTL = ["rtl/*/*.v", "rtl/*/*.vh"]
 

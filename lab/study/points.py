@@ -24,16 +24,21 @@ KNOB_CORES = ["standard:pr=12", "standard:w=18,wd=19,pq=20,pr=14", "standard:pq=
 SCENES = ["sphereflake:3", "protein", "paper100", "huge_tiny", "interpenetrating"]
 CORE = "shadow+reflect2+lights3+inside"  # what the nearest hit in all of SCENES calls for
 PICTURE, FRAME = "320x180", "96x54"      # of accuracy, of the RTL
-# what else a core draws: a scene, the tree it is walked with, and a core that can
-MORE = {
-    "triangles": dict(scene="facets/room", tree="reinserted"),
-    "triangles, BIH": dict(scene="facets/room", tree="bih"),
-    "refraction": dict(scene="refraction/nested", tree="reinserted"),
-    "textures": dict(scene="texture/hall", tree="reinserted"),
+# kinds of scenes: what `sphaera price` is told, and the core that the scene then asks for, of which
+# cells and clock are
+KINDS = {
+    "spheres": (dict(scene="sphereflake:3", inside="on"), CORE),
+    "triangles": (dict(scene="facets/room"), "shadow+reflect2+lights2+inside+facets+turned+boxes"),
+    "glass": (dict(scene="refraction/nested"),
+              "shadow+reflect2+lights1+inside+facets+refract+specular+sum"),
+    "textures": (dict(scene="texture/hall"),
+                 "shadow+reflect2+lights1+inside+facets+texture+spread"),
 }
-MORE_CORE = CORE + "+facets"
-MORE_PARTS = {"bih": "+bih+turned", "reinserted": "+refract+specular+sum+texture+spread"}
-MORE_FRAME = "48x27"
+# the same in cycles alone: other trees over the same triangles
+TREES = {
+    "triangles, spheres around them": dict(scene="facets/room", accel="bvh4"),
+    "triangles, BIH": dict(scene="facets/room", accel="bih"),
+}
 # the papers' trades, on a core that can all of it
 TRADES = [{}] + [{"background": b} for b in ("rect", "spans", "exact-0", "exact-1")] \
     + [{"traverse": "first"}, {"traverse": "first", "tree": "paper"}, {"tree": "paper"}] \
@@ -56,13 +61,9 @@ def cores():
         + [dict(profile=p, core=CORE) for p in KNOB_CORES]
 
 
-def more(what, profile, kind):
-    """One job of MORE."""
-    words = MORE[what]
-    if kind == "accuracy":
-        return job(kind, profile=profile, size=PICTURE, **words)
-    return job(kind, profile=profile, size=MORE_FRAME, core=MORE_CORE + MORE_PARTS[words["tree"]],
-               **words)
+def price(words):
+    """The job of all profiles of one of KINDS or TREES."""
+    return job("price", size=PICTURE, **words)
 
 
 def trade(words, scene, kind):
@@ -75,12 +76,12 @@ def trade(words, scene, kind):
 
 def plan():
     """All jobs of the study, the most important first."""
-    keys = [job("accuracy", profile=p, scene=s, size=PICTURE) for p in widths() for s in SCENES]
+    keys = [price(words) for words in [of for of, _ in KINDS.values()] + list(TREES.values())]
+    keys += [job("cells", profile=p, core=core) for _, core in KINDS.values() for p in PROFILES]
+    keys += [job("accuracy", profile=p, scene=s, size=PICTURE) for p in widths() for s in SCENES]
     keys += [trade(t, s, "accuracy") for t in TRADES for s in SCENES]
     runs = [[job("cycles", scene=s, size=FRAME, **c) for s in SCENES] + [job("cells", **c)]
             for c in cores()]
-    keys += [more(what, p, kind) for kind in ("accuracy", "cycles") for what in MORE
-             for p in PROFILES]
     first = len(PROFILES) + 1
     keys += sum(runs[:first], [])
     # the paper's tree takes 25 times the visits, and the simulation as long: its pictures alone
@@ -94,4 +95,5 @@ def short():
     keys = [job("accuracy", profile=p, scene=s, size=SHORT_SIZE)
             for p in SHORT_PROFILES for s in SHORT_SCENES]
     return keys + [job("cycles", profile="standard", core=SHORT_CORE, scene=s, size=SHORT_SIZE)
-                   for s in SHORT_SCENES]
+                   for s in SHORT_SCENES] \
+        + [job("price", scene=s, size=SHORT_SIZE) for s in SHORT_SCENES]

@@ -88,6 +88,17 @@ def cycles(tool, build, w, temporary):
     return {"counters": run["cold"]["counters"], "cpu": run["cpu_seconds"]}
 
 
+def price(tool, build, w, temporary):
+    """The rows of `sphaera price`: what a profile's picture is like, and clocks a pixel."""
+    del temporary
+    ran = call([tool, "price", scene_file(tool, build, w["scene"]), "--size", w["size"], "--accel",
+                w["accel"], "--inside", w["inside"], "--pixels", "0", "--threads", "1", "--json",
+                "-"])
+    if ran.returncode:
+        fail(w["scene"], ran)
+    return {"rows": json.loads(ran.stdout)["price"]["rows"]}
+
+
 def synth_key(w):
     return results.key(w["profile"], w["core"], "ecp5", w["engines"], w["root"], w["quotient"])
 
@@ -107,7 +118,7 @@ def cells(tool, build, w, temporary):
 def sources(build, w):
     """Patterns of the files that a result depends on, and tools."""
     kind = w["kind"]
-    if kind == "accuracy":
+    if kind in ("accuracy", "price"):
         return keys.MODEL + keys.scene_files(w["scene"])
     if kind == "cycles":
         return keys.RTL + ["tool:verilator"] + keys.BUILD + keys.scene_files(w["scene"])
@@ -121,6 +132,6 @@ def main(tool, build, folder, key):
         return
     began = time.monotonic()
     with tempfile.TemporaryDirectory(prefix="sphaera-study-") as temporary:
-        kinds = {"accuracy": accuracy, "cycles": cycles, "cells": cells}
+        kinds = {"accuracy": accuracy, "cycles": cycles, "cells": cells, "price": price}
         result = kinds[w["kind"]](tool, build, w, temporary)
     store.save(folder, key, sources(build, w), result, time.monotonic() - began)

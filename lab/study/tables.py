@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 from ..pages import whole
 from ..synth import report
-from . import gather, points
+from . import gather, keys, points
 from .gather import COMMON, core_of
 
 
@@ -176,20 +176,38 @@ def decibels(study):
                         rows)
 
 
-def more(study):
-    """Cycles a pixel and PSNR of what else a core draws."""
+def kinds(study):
+    """A picture's error, clocks a pixel and the cells of the scene's own core, kind by kind; cells
+    of a core that nobody has synthesised are a dash."""
     rows = []
-    for what, words in points.MORE.items():
-        row = [what, scene_name(words["scene"])]
+    for what, (words, core) in points.KINDS.items():
+        prices = study.price(words)
         for p in points.PROFILES:
-            cycles = study.get(points.more(what, p, "cycles"))
-            picture = study.get(points.more(what, p, "accuracy"))
-            per_pixel = cycles and cycles["counters"]["cycles"] / gather.pixels(points.MORE_FRAME)
-            row.append(f"{show(per_pixel, '{:.1f}')}; {show(gather.psnr(picture), '{:.1f}')}")
-        rows.append(row)
-    return report.table(["what", "scene"] + points.PROFILES, rows, left=2)
+            of, cells = prices.get(p), study.look(keys.job("cells", profile=p, core=core))
+            cells = cells and cells["core"]
+            if of and of["core"] != core:
+                whole.lack(f"{words['scene']} asks for the core {of['core']}, not {core}")
+            rows.append([what, scene_name(words["scene"]), name(p), core,
+                         show(of and of["measured"]["psnr"], "{:.1f}"),
+                         show(of and of["cycles_per_pixel"], "{:.2f}")]
+                        + [show(cells and cells[c]) for c in ("lut4eq", "ff", "bram", "mult")])
+    return report.table(["what", "scene", "profile", "core", "dB", "cycles a pixel", "LUT4eq", "FF",
+                         "DP16KD", "MULT"], rows, left=4)
+
+
+def width(study):
+    """Cycles a pixel by profile, and how many times as many the widest takes as the cheapest."""
+    rows = []
+    for what, words in ({w: of for w, (of, _) in points.KINDS.items()} | points.TREES).items():
+        prices = study.price(words)
+        cycles = [prices.get(p, {}).get("cycles_per_pixel") for p in points.PROFILES]
+        times = None if None in cycles else cycles[-1] / min(cycles)
+        rows.append([what, scene_name(words["scene"]), *(show(c, "{:.1f}") for c in cycles),
+                     show(times, "{:.2f}")])
+    return report.table(["what", "scene"] + points.PROFILES + ["reference, times the cheapest"],
+                        rows, left=2)
 
 
 TABLES = {"profiles": profiles, "costs": costs, "scenes": scenes, "cyclescenes": cycle_scenes,
-          "more": more, "knobs": knobs, "rates": rates, "trades": trades,
+          "kinds": kinds, "width": width, "knobs": knobs, "rates": rates, "trades": trades,
           "model": model, "decibels": decibels}

@@ -1,36 +1,33 @@
-# times.py - what accuracy costs in time, as a plot: clocks of cores, and tables of accuracy.md
+# times.py - what accuracy costs in time, as a plot: of tables of accuracy.md and clocks of cores
 # SPDX-License-Identifier: Apache-2.0
 """Draws docs/pictures/accuracy/pareto_milliseconds.svg; FOLDER gets the plot's data. It needs no
 result of a run, so `make study-seeds` draws it anew when a clock changed."""
-
-from .. import clocks
-from ..pages import data
+from ..pages import rates
 from . import gather, plots, points
 
 PICTURE = "docs/pictures/accuracy/pareto_milliseconds.svg"
 
 
-def column(table, name):
-    """{profile: figure} of a table of accuracy.md."""
-    head, rows = data.read(f"accuracy.{table}")
-    return {row[0].strip("`"): row[head.index(name)] for row in rows}
+def of(time):
+    """A line a kind of scene: (time, error, profile and time) of each row whose time is known."""
+    found = {}
+    for row in rates.rows("kinds"):
+        if row[time][0].isdigit():
+            found.setdefault(row["what"], []).append(
+                (float(row[time]), gather.error(float(row["dB"])),
+                 f"{row['profile'].strip('`')} {row[time]}"))
+    return list(found.items())
 
 
 def series():
-    """The core at its own clock, if that very core is routed, the golden model, the simulated core:
-    (milliseconds of a frame, error, name) of each profile."""
-    frame = column("costs", "cycles a frame")
-    own = {p: clocks.milliseconds(clocks.key(p, points.CORE), float(frame[p]), "{:.3g}")
-           for p in points.PROFILES}
-    found = {"core at its own\\nclock, routed": own,
-             "golden model,\\none thread": column("costs", "model, ms"),
-             "core simulated\\nby Verilator": column("costs", "simulated, ms")}
-    psnr = column("profiles", "PSNR")
-    return [(title, [(float(ms[p]), gather.error(float(psnr[p])), f"{p} {ms[p]} ms")
-                     for p in points.PROFILES if ms[p] not in ("-", clocks.NOT)])
-            for title, ms in found.items()]
+    """In milliseconds if every core is routed, else in clocks; and which of both."""
+    routed = of("ms a frame")
+    if sum(len(dots) for _, dots in routed) == len(points.KINDS) * len(points.PROFILES):
+        return routed, "ms a frame"
+    return of("cycles a pixel"), "clocks a pixel"
 
 
 def main(folder):
-    plots.draw(PICTURE, folder, f"What accuracy costs in time: a frame of {points.FRAME}, mean of "
-               f"{len(gather.COMMON)} scenes (down: truer)", "ms a frame (log)", series(), True)
+    lines, unit = series()
+    plots.draw(PICTURE, folder, f"What accuracy costs in time: frames of {points.PICTURE}, each on "
+               "its scene's own core (down: truer)", f"{unit} (log)", lines, True)

@@ -1,10 +1,13 @@
 # families.py - the slow paths of a placed core, a line for each family
 # SPDX-License-Identifier: Apache-2.0
-"""SDF is what nextpnr writes with --sdf: the delays of cells and wires in ps. Prints how many end
-points are later than 8 ns, then of the slowest paths, one for those that begin and end in registers
+"""DELAYS is what nextpnr writes with --sdf, the delays of cells and wires in ps, or a netlist as
+JSON of Yosys, whose delays are estimated (estimate.py). Prints how many end points are later than 8
+ns, then of the slowest paths, one for those that begin and end in registers
 of the same names whatever their bits, the ns and the cells that each passes."""
 import re
 from collections import Counter, defaultdict
+
+from . import estimate
 
 WANTED = 8000   # ps: 125 MHz
 INSTANCE = re.compile(r"\(INSTANCE (\S*?)\)?$")
@@ -73,7 +76,7 @@ def told(cells):
 
 
 def main(name, lines=30):
-    delays, begins, ends = read(name)
+    delays, begins, ends = (estimate.read if name.endswith(".json") else read)(name)
     arrival, before = arrivals(delays, begins)
     late_ends = sorted(((arrival[pin] + setup, pin) for pin, setup in ends.items()
                         if pin in arrival), reverse=True)

@@ -8,19 +8,18 @@ from cocotb_tools.check_results import get_results
 from cocotb_tools.runner import get_runner
 
 BUSES = r"clk|rst|irq_o|s_axil_\w+|m_scene_\w+|m_frame_\w+"   # no display, nobody reads frames
-# what cocotbext-axi asks for besides, always 0
-IDS = {"m_frame_awid": "output", "m_frame_bid": "input"}
+IDS = {"m_frame_bid": "input [`RT_TAG_BITS-1:0]"}     # what cocotbext-axi gives besides
 WRAPPER = """\
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
 module cocotb_top #(
     parameter DATA = 64,
-    parameter MEM_DATA = 64
+    parameter MEM_DATA = 64,
+    parameter ADDR = 32
 ) (
 {ports}
 );
-    assign m_frame_awid = 1'b0;
     rt_top #({parameters}) u_top (
 {connections}
     );
@@ -39,7 +38,7 @@ def wrapper(parameters):
         zero = f"{{{bits[1:-3]}+1{{1'b0}}}}" if bits else "1'b0"
         of = name if re.fullmatch(BUSES, name) else zero if way == "input" else ""
         connections.append(f"        .{name}({of})")
-    ports += [f"    {way} wire {name}" for name, way in IDS.items()]
+    ports += [f"    {way} {name}" for name, way in IDS.items()]
     return WRAPPER.format(ports=",\n".join(ports), connections=",\n".join(connections),
                           parameters=", ".join(f".{name}({value})" for name, value in parameters))
 
@@ -49,12 +48,13 @@ def main(folder, machine, frame, data, *parameters):
     runner = get_runner("icarus")
     top = Path(folder, "cocotb_top.v")
     top.parent.mkdir(parents=True, exist_ok=True)
-    top.write_text(wrapper([("DATA", "DATA"), ("MEM_DATA", "MEM_DATA"),
+    top.write_text(wrapper([("DATA", "DATA"), ("MEM_DATA", "MEM_DATA"), ("ADDR", "ADDR"),
                             *(word.split("=") for word in parameters)]), encoding="utf-8")
     runner.build(sources=[*sources, top], hdl_toplevel="cocotb_top",
                  includes=sorted({path.parent for path in Path("rtl").rglob("*.vh")}),
                  build_args=["-g2005"],
-                 parameters={"DATA": min(int(data), 128), "MEM_DATA": data}, build_dir=folder,
+                 parameters={"DATA": min(int(data), 128), "MEM_DATA": data,
+                             "ADDR": 40 if data == "128" else 32}, build_dir=folder,
                  always=True)
     results = runner.test(test_module="lab.top.cocotb_top", hdl_toplevel="cocotb_top",
                           build_dir=folder, test_dir=folder, extra_env={

@@ -14,6 +14,9 @@ def header():
     """({register: offset}, {register_FIELD: mask}) of the C header."""
     text = HEADER.read_text(encoding="utf-8")
     offsets = re.findall(r"#define SPHAERA_(\w+) (0x\w{3})u /\* (?:ro|rw|wo|w1c):", text)
+    machine = int(re.search(r"SPHAERA_MACHINE (0x\w+)u", text)[1], 16)
+    offsets += [(f"M_{name}", hex(machine + 4 * int(number)))
+                for name, number in re.findall(r"SPHAERA_REG_(\w+) (\d+)u", text)]
     masks = re.findall(r"#define SPHAERA_(\w+) (0x\w{8})u /\*", text)
     return ({name: int(value, 16) for name, value in offsets},
             {name: int(value, 16) for name, value in masks})
@@ -31,5 +34,5 @@ def main(path):
              for one, other in ((offsets, found), (masks, fields))
              for name, value in one.items() if other.get(name) != value]
     print("\n".join(wrong) if wrong else
-          f"rdl: {len(registers)} registers, {len(offsets)} of rt_top's own as in {HEADER}")
+          f"rdl: {len(registers)} registers, {len(offsets)} of rt_top and the machine as in {HEADER}")
     return bool(wrong)

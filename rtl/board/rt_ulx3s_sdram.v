@@ -125,7 +125,18 @@ module rt_ulx3s_sdram #(
     wire [7:0] no_frame_awlen;
     wire [23:0] no_video_tdata;
     wire [31:0] no_show_base;
+    wire [2:0] no_scene_arprot, no_frame_awprot, no_scan_arprot;
+    wire [3:0] no_scene_arcache, no_scene_arqos, no_frame_awcache, no_frame_awqos,
+               no_scan_arcache, no_scan_arqos;
+    wire [4:0] no_frame_awid, no_scan_arid;
+    wire no_active;
     rt_top #(`RT_BOARD_CORE) u_top (
+        .m_scene_arcache(no_scene_arcache), .m_scene_arprot(no_scene_arprot),
+        .m_scene_arqos(no_scene_arqos), .m_frame_awid(no_frame_awid),
+        .m_frame_awcache(no_frame_awcache), .m_frame_awprot(no_frame_awprot),
+        .m_frame_awqos(no_frame_awqos), .m_scan_arid(no_scan_arid),
+        .m_scan_arcache(no_scan_arcache), .m_scan_arprot(no_scan_arprot),
+        .m_scan_arqos(no_scan_arqos), .active_o(no_active),
         .clk(clk), .rst(rst), .irq_o(irq), .s_axil_awvalid(awvalid), .s_axil_awready(awready),
         .s_axil_awaddr(awaddr), .s_axil_wvalid(wvalid), .s_axil_wready(wready),
         .s_axil_wdata(wdata), .s_axil_wstrb(4'hf), .s_axil_bvalid(bvalid), .s_axil_bready(1'b1),
@@ -160,7 +171,10 @@ module rt_ulx3s_sdram #(
     reg  [24:0] beat_q;
     always @(posedge clk) beat_q <= rst ? 25'd0 : beat_q + 25'd1;
     assign led_o = {number[3:0], irq, shown, !uart_rx_i, beat_q[24]};
-    wire unused = &{1'b0, btn_i, number, m_rlast[2], no_video_tvalid, no_video_tuser,
+    wire unused = &{1'b0, no_scene_arcache, no_scene_arprot, no_scene_arqos, no_frame_awid,
+                    no_frame_awcache, no_frame_awprot, no_frame_awqos, no_scan_arid,
+                    no_scan_arcache, no_scan_arprot, no_scan_arqos, no_active,
+                    btn_i, number, m_rlast[2], no_video_tvalid, no_video_tuser,
                     no_video_tlast, no_de, no_hsync, no_vsync, no_scene_arburst,
                     no_frame_awburst, no_scan_arburst, no_scene_arsize, no_frame_awsize,
                     no_scan_arsize, no_frame_awlen, no_video_tdata, no_show_base, ids_room,

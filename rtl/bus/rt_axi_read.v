@@ -12,13 +12,14 @@
 `include "rt_layout.vh"
 module rt_axi_read #(
     parameter DATA    = 64,  // bits of a beat: 64, 128, 256
-    parameter PENDING = 256  // lines that the core may wait for
+    parameter PENDING = 256, // lines that the core may wait for
+    parameter ADDR = 32      // bits of an address, 32 to 40
 ) (
     input  wire            clk,
     input  wire            rst,
     // from rt_run
     input  wire            begin_i,          // START; from now on
-    input  wire [31:0]     base_i,           // line 0 has this address
+    input  wire [ADDR-1:0] base_i,           // line 0 has this address
     input  wire            cut_i,            // the core is in reset
     input  wire            forget_i,         // the bus was reset: it owes nothing
     // to rt_run
@@ -44,7 +45,7 @@ module rt_axi_read #(
     output reg             m_arvalid,
     input  wire            m_arready,
     output reg  [`RT_TAG_BITS-1:0] m_arid,
-    output reg  [31:0]     m_araddr,
+    output reg  [ADDR-1:0] m_araddr,
     output wire [7:0]      m_arlen,          // beats less one
     input  wire            m_rvalid,
     output wire            m_rready,
@@ -60,7 +61,7 @@ module rt_axi_read #(
     wire          owing = owed_q != {CB{1'b0}};
 
     // ---- requests ----
-    reg  [31:0] base_q;
+    reg  [ADDR-1:0] base_q;
     always @(posedge clk) if (begin_i) base_q <= base_i;
     wire ar_free       = !m_arvalid || m_arready;
     wire ask           = req_valid_i && req_ready_o;
@@ -70,7 +71,7 @@ module rt_axi_read #(
     always @(posedge clk) begin
         if (ar_free) m_arvalid <= ask;
         if (ask) begin
-            m_araddr <= base_q + {1'b0, req_line_i, 5'd0};
+            m_araddr <= base_q + {{(ADDR-31){1'b0}}, req_line_i, 5'd0};
             m_arid   <= req_tag_i;
         end
         if (rst || forget_i) m_arvalid <= 1'b0;

@@ -8,7 +8,8 @@
 `default_nettype none
 `include "rt_check.vh"
 module rt_axi_write #(
-    parameter DATA = 64              // bits of a beat, 64 or 128
+    parameter DATA = 64,             // bits of a beat, 64 or 128
+    parameter ADDR = 32              // bits of an address, 32 to 40
 ) (
     input  wire              clk,
     input  wire              rst,
@@ -26,14 +27,14 @@ module rt_axi_write #(
     // from rt_frame_write
     input  wire              group_valid_i,
     output wire              group_ready_o,
-    input  wire [31:0]       group_addr_i,   // aligned to its length
+    input  wire [ADDR-1:0]   group_addr_i,   // aligned to its length
     input  wire              group_half_i,   // 16 bytes, not 32
     input  wire [31:0]       group_strobe_i, // a bit for each byte
     input  wire [255:0]      group_data_i,
     // AXI4
     output reg               m_awvalid,
     input  wire              m_awready,
-    output reg  [31:0]       m_awaddr,
+    output reg  [ADDR-1:0]   m_awaddr,
     output reg  [7:0]        m_awlen,        // beats less one
     output reg               m_wvalid,
     input  wire              m_wready,

@@ -71,20 +71,21 @@ module rt_core #(
     wire [`RT_REGS_BITS-1:0] regs;                      // what an engine looks at
     wire             light_valid;
     wire [2:0]       light_number, light_part;
-    wire             bih, boxes;
+    wire             bih, boxes, strayed;
     // A write and a start are registered: a write takes a clock more, a start two, so that the
     // look at what the machine asks for takes a clock of its own.
     reg              cfg_valid_q, start_q, start_two_q, keep_q, keep_two_q, missing_q, foreign_q;
+    reg              strayed_q;
     reg  [6:0]       cfg_addr_q;
     reg  [31:0]      cfg_data_q;
     rt_registers #(.W(W), .WD(WD), .TEXTURE(TEXTURE), .SMOOTH(SMOOTH), .ACCEL(ACCEL),
-                   .TURNED(TURNED)) u_registers (
+                   .TURNED(TURNED), .CAMERA(CAMERA)) u_registers (
         .clk(clk), .valid_i(cfg_valid_q), .addr_i(cfg_addr_q), .data_i(cfg_data_q),
         .effects_o(effects), .regs_o(regs), .window_o(window), .bg_mode_o(bg_mode),
         .rect_o(rect), .bg_base_o(bg_base), .bg_count_o(bg_count), .dir_o(dir), .pitch_o(pitch),
         .first_o(dir_first), .across_o(dir_across), .down_o(dir_down), .profile_o(profile),
         .frame_o(frame), .coarse_o(coarse), .bih_o(bih), .boxes_o(boxes),
-        .light_valid_o(light_valid), .light_number_o(light_number),
+        .strayed_o(strayed), .light_valid_o(light_valid), .light_number_o(light_number),
         .light_part_o(light_part)
     );
     wire [`RT_LIGHT_BITS-1:0] light;
@@ -105,7 +106,7 @@ module rt_core #(
                                 FW << `RT_WIDTH_FW_LSB | PR << `RT_WIDTH_PR_LSB;
     wire foreign = profile != PROFILE;               // built for other widths
     wire start   = start_two_q;
-    wire go      = start && !missing_q && !foreign_q;
+    wire go      = start && !missing_q && !foreign_q && !strayed_q;
     always @(posedge clk) begin
         cfg_valid_q <= cfg_valid_i && !busy_o;
         cfg_addr_q  <= cfg_addr_i;
@@ -116,6 +117,7 @@ module rt_core #(
         keep_two_q  <= keep_q;
         missing_q   <= missing;
         foreign_q   <= foreign;
+        strayed_q   <= strayed;
         if (rst) begin cfg_valid_q <= 1'b0; start_q <= 1'b0; start_two_q <= 1'b0; end
     end
 
@@ -215,7 +217,6 @@ module rt_core #(
     wire [ENGINES*EW-1:0]  events;
     wire [ENGINES-1:0]     issued;
     wire [ENGINES*16-1:0]  faults;
-    wire [ENGINES-1:0]     left_out;
     genvar e;
     generate
         for (e = 0; e < ENGINES; e = e + 1) begin : g_engine
@@ -232,7 +233,7 @@ module rt_core #(
                 .LEAF_UNITS(LEAF_COUNT), .SHADES(SHADE_UNITS), .SETUPS(SETUP_UNITS),
                 .SLOTS(ALL_SLOTS), .SQUARES(LUT_SQUARES), .LUTS(SPARE_LUTS),
                 .STACK(`RT_STACK_DEPTH), .NODE_LINES(NODE_LINES), .LEAF_LINES(LEAF_UNIT),
-                .ROOTS(ROOT_UNITS), .DIVISIONS(KEY_UNITS),
+                .BANKS(PLANE_BANKS), .ROOTS(ROOT_UNITS), .DIVISIONS(KEY_UNITS),
                 .ROOT_STEP(ROOT_STEP), .DIVISION_STEP(DIVISION_STEP), .LEAF_INTERVAL(LEAF_INTERVAL),
                 .FACET_INTERVAL(FACET_CLOCKS), .UNITS(UNITS), .UNIT_INTERVAL(UNIT_INTERVAL)
             ) u_engine (
@@ -247,8 +248,7 @@ module rt_core #(
                 .mem_rsp_ready_o(m_rsp_ready[READS*e +: READS]),
                 .mem_rsp_data_i(m_rsp_data), .mem_rsp_error_i(m_rsp_error),
                 .trace_event_o(event_e[0 +: TB]), .exact_event_o(event_e[TB +: XB]),
-                .shade_event_o(event_e[TB+XB +: HB]), .fault_o(faults[16*e +: 16]),
-                .left_out_o(left_out[e])
+                .shade_event_o(event_e[TB+XB +: HB]), .fault_o(faults[16*e +: 16])
             );
             assign p_data[PW*e +: PW] = pix[PW-1:0];
             // ---- events of its units, summed up ----
@@ -363,7 +363,7 @@ module rt_core #(
         if (fault[3]) errors_o[`RT_ERROR_BUS_ERROR]      <= 1'b1;
         if (start && missing_q) errors_o[`RT_ERROR_MISSING_EFFECT] <= 1'b1;
         if (start && foreign_q) errors_o[`RT_ERROR_WRONG_PROFILE]  <= 1'b1;
-        if (|left_out) errors_o[`RT_ERROR_LEFT_OUT] <= 1'b1;
+        if (start && strayed_q) errors_o[`RT_ERROR_LEFT_OUT]       <= 1'b1;
         if (rst) errors_o <= 0;
     end
     // for benches: {turned away, taken, clocks of work}

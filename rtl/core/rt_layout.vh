@@ -84,6 +84,7 @@
 `define RT_BIH_DIVIDE 20
 `define RT_BIH_CHUNK 4
 `define RT_BIH_LEAF 3
+`define RT_BOX_CROSS 17
 `define RT_BOX_NEAR 11
 `define RT_FRAMES 3
 `define RT_SPHERE 0
@@ -137,8 +138,6 @@
 `define RT_PRIM_KA_BITS 9
 `define RT_PRIM_KD_LSB 180
 `define RT_PRIM_KD_BITS 9
-`define RT_PRIM_LEFT_OUT_LSB 189
-`define RT_PRIM_LEFT_OUT_BITS 1
 `define RT_PRIM_KS_LSB 218
 `define RT_PRIM_KS_BITS 8
 `define RT_PRIM_POWER_LSB 226
@@ -383,6 +382,7 @@
 `define RT_REG_LEAST_WEIGHT 118
 `define RT_REG_ONE_CAMERA 119
 `define RT_LEAST_WEIGHT_MAX 256
+`define RT_CAMERA_TURN 11
 `define RT_LIGHT_STRIDE 8
 `define RT_LIGHT_SHIFT_LSB 16
 `define RT_LIGHT_SHIFT_BITS 5
@@ -430,12 +430,13 @@
 `define RT_EFFECT_CLEAR 11
 `define RT_EFFECT_TURNED 12
 `define RT_EFFECT_SPREAD 13
-`define RT_EFFECT_BITS 14
+`define RT_EFFECT_CAMERA 14
+`define RT_EFFECT_BITS 15
 `define RT_KINDS 3
 `define RT_KINDS_UNBOUNDED 4
 `define RT_COUNTERS 22
 `define RT_COUNTERS_BOTH 3605503
 `define RT_ERRORS 7
-`define RT_EFFECTS_BUILT (32'd0 | (SHADOW != 0 ? 32'd1 << 0 : 32'd0) | (REFLECT != 0 ? 32'd1 << 1 : 32'd0) | (INSIDE != 0 ? 32'd1 << 2 : 32'd0) | (FIRST != 0 ? 32'd1 << 3 : 32'd0) | (INTERPENETRATE != 0 ? 32'd1 << 4 : 32'd0) | (FACETS != 0 ? 32'd1 << 5 : 32'd0) | (TEXTURE != 0 ? 32'd1 << 6 : 32'd0) | (REFRACT != 0 ? 32'd1 << 7 : 32'd0) | (SPECULAR != 0 ? 32'd1 << 8 : 32'd0) | (SUM != 0 ? 32'd1 << 9 : 32'd0) | (SMOOTH != 0 ? 32'd1 << 10 : 32'd0) | (CLEAR != 0 ? 32'd1 << 11 : 32'd0) | (TURNED != 0 ? 32'd1 << 12 : 32'd0) | (SPREAD != 0 ? 32'd1 << 13 : 32'd0))
+`define RT_EFFECTS_BUILT (32'd0 | (SHADOW != 0 ? 32'd1 << 0 : 32'd0) | (REFLECT != 0 ? 32'd1 << 1 : 32'd0) | (INSIDE != 0 ? 32'd1 << 2 : 32'd0) | (FIRST != 0 ? 32'd1 << 3 : 32'd0) | (INTERPENETRATE != 0 ? 32'd1 << 4 : 32'd0) | (FACETS != 0 ? 32'd1 << 5 : 32'd0) | (TEXTURE != 0 ? 32'd1 << 6 : 32'd0) | (REFRACT != 0 ? 32'd1 << 7 : 32'd0) | (SPECULAR != 0 ? 32'd1 << 8 : 32'd0) | (SUM != 0 ? 32'd1 << 9 : 32'd0) | (SMOOTH != 0 ? 32'd1 << 10 : 32'd0) | (CLEAR != 0 ? 32'd1 << 11 : 32'd0) | (TURNED != 0 ? 32'd1 << 12 : 32'd0) | (SPREAD != 0 ? 32'd1 << 13 : 32'd0) | (CAMERA != 0 ? 32'd1 << 14 : 32'd0))
 `define RT_DEEPEST (REFRACT != 0 && REFLECT < `RT_REFRACT_DEPTH ? `RT_REFRACT_DEPTH : REFLECT)
 `endif

@@ -12,7 +12,8 @@ module rt_registers #(
     parameter TEXTURE = 0, // 1: the register of textures
     parameter SMOOTH = 0,  // 1: that of interpolated normals
     parameter ACCEL = 0,   // 1: those of a BIH
-    parameter TURNED = 0   // 1: those of a grid in any axes
+    parameter TURNED = 0,  // 1: those of a grid in any axes
+    parameter CAMERA = 0   // 1: that of the only camera
 ) (
     input  wire              clk,
     input  wire              valid_i,
@@ -38,6 +39,7 @@ module rt_registers #(
     output wire [3:0]        coarse_o,
     output reg               bih_o,           // TREE is a BIH
     output reg               boxes_o,         // TREE has boxes around children
+    output wire              strayed_o,       // the camera is not the one that ONE_CAMERA has
     // lights live in the engines: one write goes by
     output wire              light_valid_o,
     output wire [2:0]        light_number_o,
@@ -109,7 +111,15 @@ module rt_registers #(
                 `RT_REG_BG_COUNT:    bg_count_o      <= data_i[4:0];
                 default: ;
             endcase
+    // the camera in words without sign: {down, across, pitch, dir, eye}
+    wire [319:0] raster;
+    wire [95:0]  first, eye;
+    genvar c;
     generate
+        for (c = 0; c < 3; c = c + 1) begin : g_word
+            assign first[32*c +: 32] = {{32-WD{1'b0}}, dir_o[WD*c +: WD]};
+            assign eye[32*c +: 32]   = {{32-W{1'b0}}, eye_q[W*c +: W]};
+        end
         if (TEXTURE != 0) begin : g_texture
             reg [1:0] filter_q;
             reg [3:0] coarse_q;
@@ -154,8 +164,26 @@ module rt_registers #(
             end
             assign across_o = turned ? step_q[95:0]   : {64'd0, pitch};
             assign down_o   = turned ? step_q[191:96] : {32'd0, -pitch, 32'd0};
+            assign raster = {step_q, {32-WD{1'b0}}, pitch_o, turned ? first_q : first};
         end else begin : g_camera
             assign {first_o, across_o, down_o} = 288'd0;
+            assign raster = {192'd0, {32-WD{1'b0}}, pitch_o, first};
+        end
+        if (CAMERA != 0) begin : g_one_camera
+            reg  [31:0]  own_q, sum;
+            wire [415:0] seen = {raster, eye};
+            integer      r;
+            always @(posedge clk)
+                if (valid_i && addr_i == `RT_REG_ONE_CAMERA) own_q <= data_i;
+            always @* begin
+                sum = 32'd0;
+                for (r = 0; r < 13; r = r + 1)
+                    sum = {sum[31-`RT_CAMERA_TURN:0], sum[31:32-`RT_CAMERA_TURN]} ^ seen[32*r +: 32];
+            end
+            assign strayed_o = effects_o[`RT_EFFECT_CAMERA] && sum != own_q;
+        end else begin : g_any_camera
+            assign strayed_o = 1'b0;
+            wire unused = &{1'b0, raster, eye};
         end
         if (ACCEL != 0) begin : g_bih
             reg [`RT_ID_BITS-1:0] n_prims_q, n_loose_q;

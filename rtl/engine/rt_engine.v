@@ -20,6 +20,7 @@ module rt_engine #(
     parameter LUTS       = 0,    // LUT cells that a block RAM is worth, rt_slot_ram
     parameter STACK      = 16,   // sibling groups waiting per ray, power of two
     parameter ACCEL      = 0,    // 0: nodes of four spheres, 1: BIH, 2: nodes of four boxes
+    parameter BANKS      = 2,    // rays of a pipe that are divided at once, with ACCEL
     parameter NODE_LINES = 256,  // node cache of a pipe
     parameter LEAF_LINES = 128,  // leaf and primitive cache of a leaf unit
     parameter ROOTS      = 3,    // square root units
@@ -67,8 +68,7 @@ module rt_engine #(
     //: {MISS, PRIM[prim_event]}
     output wire [SHADES*`RT_SHADE_EVENT_BITS-1:0] shade_event_o,
     //: {MISS, TEXEL, POWER, SATURATED, QUOTIENT, REFRACTED, REFLECTED, SHADOW, PRIMARY}
-    output wire [15:0]                fault_o,         // {slots, shade, exact, trace}
-    output wire                       left_out_o       // of shade, the error LEFT_OUT
+    output wire [15:0]                fault_o          // {slots, shade, exact, trace}
 );
     localparam SLOTW   = $clog2(SLOTS), LB = `RT_LINE_BITS;
     localparam PB = $clog2(PIPES), XB = $clog2(LEAF_UNITS), SB = $clog2(SHADES),
@@ -110,7 +110,7 @@ module rt_engine #(
     rt_pipes #(.W(W), .WD(WD), .FW(FW), .PIPES(PIPES), .LEAF_UNITS(LEAF_UNITS), .SHADES(SHADES),
               .SETUPS(SETUPS), .SLOTS(SLOTS), .STACK(STACK), .LINES(NODE_LINES), .LUTS(LUTS),
               .SQUARES(SQUARES), .SHADOW(SHADOWS), .FIRST(FIRST), .FARS(FARS), .FACETS(FACETS),
-              .ACCEL(ACCEL)) u_pipes (
+              .ACCEL(ACCEL), .BANKS(BANKS)) u_pipes (
         .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i), .ray_i(ray), .filter_i(filter),
         .across_i(across), .ray_again_i(ray_again), .shadow_go_i(shadow_go),
         .shadow_slot_i(shadow_slot), .visit_o(visit), .result_i(result), .done_slot_o(done_slot),
@@ -150,8 +150,7 @@ module rt_engine #(
         .texture_o(texture), .mem_req_valid_o(tex_req_valid), .mem_req_ready_i(tex_req_ready),
         .mem_req_line_o(tex_req_line), .mem_rsp_valid_i(tex_rsp_valid),
         .mem_rsp_ready_o(tex_rsp_ready), .mem_rsp_data_i(mem_rsp_data_i),
-        .mem_rsp_error_i(mem_rsp_error_i), .event_o(shade_event_o), .fault_o(fault_o[11:8]),
-        .left_out_o(left_out_o)
+        .mem_rsp_error_i(mem_rsp_error_i), .event_o(shade_event_o), .fault_o(fault_o[11:8])
     );
     generate
         if (TEXTURE != 0) begin : g_texture

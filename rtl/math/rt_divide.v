@@ -9,7 +9,8 @@
 module rt_divide #(
     parameter DW   = 50,                     // divisor, bits
     parameter QW   = 34,                     // quotient, bits: x < d * 2^QW
-    parameter STEP = 2                       // quotient bits a clock: 1 to QW
+    parameter STEP = 2,                      // quotient bits a clock: 1 to QW
+    parameter AT_ONCE = 1                    // 1: operands may come as a result leaves, 0: behind it
 ) (
     input  wire             clk,
     input  wire             rst,             // synchronous, active high
@@ -49,16 +50,19 @@ module rt_divide #(
     // ---- control: rounds left; the result stays in the registers until it is taken ----
     reg          full_q;                     // operands or their quotient are inside
     reg [CW-1:0] count_q;
+    reg          none_q;                     // there are none
     wire         take = in_valid_i && in_ready_o;
     wire [DW+MW:0] x = {{(MW-QW+1){1'b0}}, in_x_i};
     always @(posedge clk) begin
         if (take) begin
             full_q  <= 1'b1;
             count_q <= FIRST;
+            none_q  <= 1'b0;
             {rem_q, low_q} <= x[DW+MW-1:0];
             d_q     <= in_d_i;
-        end else if (count_q != 0) begin
+        end else if (!none_q) begin
             count_q <= count_q - 1'b1;
+            none_q  <= count_q == 1;
             rem_q   <= rem_d;
             low_q   <= low_d;
         end else if (out_ready_i) begin
@@ -67,10 +71,11 @@ module rt_divide #(
         if (rst) begin
             full_q  <= 1'b0;
             count_q <= {CW{1'b0}};
+            none_q  <= 1'b1;
         end
     end
-    assign out_valid_o = full_q && count_q == 0;
-    assign in_ready_o  = !full_q || (out_valid_o && out_ready_i);
+    assign out_valid_o = full_q && none_q;
+    assign in_ready_o  = !full_q || (AT_ONCE != 0 && out_valid_o && out_ready_i);
     assign out_key_o   = {1'b0, low_q[QW-1:0]} + {{QW{1'b0}}, |rem_q};
 
     wire unused = &{1'b0, low_q, left[DW], x[DW+MW]};

@@ -53,6 +53,7 @@ module rt_cache #(
     localparam PB   = SB + GB;              // bits of a set and a place in its group
     localparam HB   = PB + (GROUP > 1 ? 1 : 0); // of these in the queue, and of whether memory ends
     localparam KB   = `RT_LINE_BITS - PB;             // line number above them
+    localparam HALF = KB / 2;
     localparam AB   = $clog2(LINES);        // bits of an address of the data RAM
     `RT_CHECK(LINES == (1 << AB), rt_cache_LINES_must_be_a_power_of_two)
     `RT_CHECK(WAYS == (1 << $clog2(WAYS)), rt_cache_WAYS_must_be_a_power_of_two)
@@ -88,12 +89,14 @@ module rt_cache #(
     reg            s2_valid_q;
     reg  [`RT_LINE_BITS-1:0] s2_line_q;
     reg  [TAG-1:0] s2_tag_q;
-    reg  [WAYS-1:0] s2_hit_q;               // way holds the line, without error
-    reg  [WAYS-1:0] s2_follow_q;            // way awaits the line
-    reg  [WAYS-1:0] s2_coming_q;            // line of the way is on its way, whichever it is
+    reg  [WAYS-1:0] s2_low_q, s2_high_q;    // its line is the wanted one, by half a key each
+    reg  [WAYS-1:0] s2_good_q;              // line of the way is held, without error
+    reg  [WAYS-1:0] s2_coming_q;            // ... is on its way, whichever it is
     reg  [WAYS-1:0] s2_filled_q;
-    wire           s2_hit    = |s2_hit_q;
-    wire           s2_follow = |s2_follow_q;
+    wire [WAYS-1:0] s2_match  = s2_low_q & s2_high_q;
+    wire [WAYS-1:0] s2_hits   = s2_match & s2_good_q;
+    wire           s2_hit    = |s2_hits;
+    wire           s2_follow = |(s2_match & s2_coming_q);
     wire           s2_miss   = !s2_hit && !s2_follow;
     wire           s2_go;                   // the lookup is done with
     wire [PB-1:0]  s2_place = s2_line_q[PB-1:0];
@@ -168,24 +171,23 @@ module rt_cache #(
                 .wr_data_i({done_error_q, !walk_step && done_asked_q}),
                 .rd_addr_i(s1_set), .rd_data_o({error, filled})
             );
-            wire match  = used && key == s1_line_q[`RT_LINE_BITS-1:PB];
+            wire [KB-1:0] other = key ^ s1_line_q[`RT_LINE_BITS-1:PB];
             wire coming = asked != filled && !done_1[g];
             wire good   = done_1[g] ? !done_error_q : asked == filled && !error;
             always @(posedge clk) begin
                 if (s2_free) begin
-                    s2_hit_q[g]    <= match && good;
-                    s2_follow_q[g] <= match && coming;
+                    s2_low_q[g]    <= used && other[HALF-1:0] == {HALF{1'b0}};
+                    s2_high_q[g]   <= other[KB-1:HALF] == {(KB-HALF){1'b0}};
+                    s2_good_q[g]   <= good;
                     s2_coming_q[g] <= used && coming;
                     s2_filled_q[g] <= filled ^ done_1[g];
                 end else if (done_2[g]) begin
-                    s2_hit_q[g]    <= s2_hit_q[g] || (s2_follow_q[g] && !done_error_q);
-                    s2_follow_q[g] <= 1'b0;
+                    s2_good_q[g]   <= s2_good_q[g] || (s2_coming_q[g] && !done_error_q);
                     s2_coming_q[g] <= 1'b0;
                     s2_filled_q[g] <= done_asked_q;
                 end
                 if (walk_q) begin           // every line is forgotten
-                    s2_hit_q[g]    <= 1'b0;
-                    s2_follow_q[g] <= 1'b0;
+                    s2_low_q[g]    <= 1'b0;
                     s2_coming_q[g] <= 1'b0;
                     s2_filled_q[g] <= 1'b0;
                 end
@@ -198,7 +200,7 @@ module rt_cache #(
     wire [WAYS-1:0] may   = ~s2_coming_q;
     wire [WAYS-1:0] pick  = |(may & ~recent_q) ? may & ~recent_q : may;
     assign victim         = pick & (~pick + 1'b1);
-    wire [WAYS-1:0] found = s2_hit_q | s2_follow_q;
+    wire [WAYS-1:0] found = s2_match & (s2_good_q | s2_coming_q);
     wire [WAYS-1:0] touch = s2_miss ? victim : found;
     wire [WAYS-1:0] after = recent_q | touch;
     wire [WAYS-1:0] s1_recent;
@@ -336,7 +338,7 @@ module rt_cache #(
         end else begin : g_ways
             assign fill_at = {head_way, fill_place};
             assign head_at = {head_way, head_place};
-            assign hit_at  = {number(s2_hit_q), s2_place};
+            assign hit_at  = {number(s2_hits), s2_place};
         end
     endgenerate
     assign rsp_free = rsp_ready_i || !rsp_valid_o;

@@ -1,7 +1,8 @@
 // rt_fifo.v - first-word fall-through queue in distributed RAM
 // SPDX-License-Identifier: Apache-2.0
 // The oldest word stands at the output without being asked for. Latency 1 cycle from a push into
-// the empty queue to out_valid_o; one push and one pop every cycle.
+// the empty queue to out_valid_o; one push and one pop every cycle. out_valid_o and in_ready_o are
+// registers: what waits for them begins there, not at a comparison of pointers.
 // In the engine no queue can overflow (token rule, docs/design/overview.md) and in_ready_o
 // may stay open; a push while in_ready_o is low is lost and stops a simulation.
 `timescale 1ns / 1ps
@@ -28,16 +29,25 @@ module rt_fifo #(
     // ---- pointers: one bit more than the address tells full from empty ----
     reg  [AB:0] wr_q;                     // words pushed, modulo 2 DEPTH
     reg  [AB:0] rd_q;                     // words popped
-    wire        push   = in_valid_i && in_ready_o;
-    wire        pop    = out_valid_o && out_ready_i;
-    assign in_ready_o  = wr_q != {~rd_q[AB], rd_q[AB-1:0]};
-    assign out_valid_o = wr_q != rd_q;
+    reg         some_q, room_q;           // there are words; there is room
+    wire        push = in_valid_i && room_q;
+    wire        pop  = some_q && out_ready_i;
+    wire [AB:0] wr_next = wr_q + 1'b1;
+    wire [AB:0] rd_next = rd_q + 1'b1;
+    wire        one  = wr_q == rd_next;                        // word is left
+    wire        last = wr_next == {~rd_q[AB], rd_q[AB-1:0]};   // place is left
+    assign in_ready_o  = room_q;
+    assign out_valid_o = some_q;
     always @(posedge clk) begin
-        if (push) wr_q <= wr_q + 1'b1;
-        if (pop)  rd_q <= rd_q + 1'b1;
+        if (push) wr_q <= wr_next;
+        if (pop)  rd_q <= rd_next;
+        some_q <= push || (some_q && !(pop && one));
+        room_q <= pop || (room_q && !(push && last));
         if (rst) begin
             wr_q <= {(AB+1){1'b0}};
             rd_q <= {(AB+1){1'b0}};
+            some_q <= 1'b0;
+            room_q <= 1'b1;
         end
     end
 

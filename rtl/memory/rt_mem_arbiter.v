@@ -50,6 +50,7 @@ module rt_mem_arbiter #(
     wire [CLIENTS-1:0] grant;
     wire [NB-1:0] number;
     reg  [PB:0] coming_q;                          // lines on their way, up to PENDING
+    reg         came_q;                            // ... less one that came in the last clock
     wire take                = !coming_q[PB] && (mem_req_ready_i || !mem_req_valid_o);
     wire give                = take && |req_valid_i;
     assign req_ready_o       = grant & {CLIENTS{take}};
@@ -122,14 +123,15 @@ module rt_mem_arbiter #(
     assign rsp_error_o     = error_q;
     integer k;
     always @(posedge clk) begin
-        coming_q <= coming_q + {{PB{1'b0}}, give} - {{PB{1'b0}}, line_take};
+        came_q   <= line_take;
+        coming_q <= coming_q + {{PB{1'b0}}, give} - {{PB{1'b0}}, came_q};
         if (full_take) full_q <= 1'b0;
         if (line_take) begin
             {error_q, line_q} <= whole;
             full_q            <= 1'b1;
             for (k = 0; k < CLIENTS; k = k + 1) owner_q[k] <= of == k[NB-1:0];
         end
-        if (rst) begin coming_q <= {(PB+1){1'b0}}; full_q <= 1'b0; end
+        if (rst) begin coming_q <= {(PB+1){1'b0}}; came_q <= 1'b0; full_q <= 1'b0; end
     end
     // for benches: {turned away, taken, clocks of work}
     wire [7:0] work_memory_port /* verilator public_flat_rd */ =

@@ -29,14 +29,19 @@ module rt_spans (
     localparam SB    = `RT_SPAN_STRIDE;
 
     // ---- rows of a line, from the first to the last that lies in the window ----
-    reg  [13:0] row_q;
-    wire [13:0] row_next = row_q + 14'd1;
-    wire        bottom   = row_next == win_y1_i;
-    wire        line_end = bottom || &row_q[2:0];
-    assign rsp_ready_o   = line_end;
-    always @(posedge clk)
-        if (start_i || (rsp_valid_i && bottom)) row_q <= win_y0_i;
-        else if (rsp_valid_i)                   row_q <= row_next;
+    reg  [13:0] row_q, end_q;          // end_q: the window's last row
+    reg         bottom_q, line_end;    // row_q is that, or the last of a line, too
+    wire        again = start_i || (rsp_valid_i && bottom_q);
+    wire [13:0] row_next = again ? win_y0_i : row_q + 14'd1;
+    assign rsp_ready_o = line_end;
+    always @(posedge clk) begin
+        end_q <= win_y1_i - 14'd1;
+        if (again || rsp_valid_i) begin
+            row_q    <= row_next;
+            bottom_q <= row_next == end_q;
+            line_end <= row_next == end_q || &row_next[2:0];
+        end
+    end
 
     // ---- queue; the last row of a line gives its place back ----
     wire in_ready, span_end;

@@ -84,25 +84,25 @@ module rt_facet #(
     reg  [5:0]      t1_before_q, t1_after_q;
     reg  [3*W-1:0]  t1_org_q;
     reg  [3*WD-1:0] t1_dir_q;
-    reg             t1_q, t2_q, t2_own_q, t2_z_q, t2_y_q;
-    reg  [3*W-1:0]  t2_org_q;
-    reg  [3*WD-1:0] t2_size_q;
-    reg  [2:0]      t2_neg_q;
+    reg             t1_q, t2_q, t2_own_q, t3_q, t3_own_q, t3_z_q, t3_y_q;
+    reg  [3*W-1:0]  t2_org_q, t3_org_q;
+    reg  [3*WD-1:0] t2_size_q, t3_size_q;
+    reg  [2:0]      t2_neg_q, t3_neg_q;
     wire [6:0]      reach = {1'b0, t1_apart_q[5:0]} + {1'b0, t1_before_q};
     wire            own   = t1_apart_q[24:6] == 19'd0 ? t1_apart_q[5:0] <= t1_after_q
                             : &t1_apart_q[24:6] && reach[6];
     function [WD-1:0] size_of(input [WD-1:0] d);
         size_of = (d ^ {WD{d[WD-1]}}) + {{(WD-1){1'b0}}, d[WD-1]};
     endfunction
-    wire [WD-1:0] size_x = size_of(t1_dir_q[0 +: WD]);
-    wire [WD-1:0] size_y = size_of(t1_dir_q[WD +: WD]);
-    wire [WD-1:0] size_z = size_of(t1_dir_q[2*WD +: WD]);
+    wire [WD-1:0] size_x = t2_size_q[0 +: WD];
+    wire [WD-1:0] size_y = t2_size_q[WD +: WD];
+    wire [WD-1:0] size_z = t2_size_q[2*WD +: WD];
     wire          y_wins = size_y > size_x;
-    wire [W-1:0]  w_org  = t2_z_q ? t2_org_q[2*W +: W] : t2_y_q ? t2_org_q[W +: W]
-                           : t2_org_q[0 +: W];
-    wire          w_neg  = t2_z_q ? t2_neg_q[2] : t2_y_q ? t2_neg_q[1] : t2_neg_q[0];
-    wire [WD-1:0] w_size = t2_z_q ? t2_size_q[2*WD +: WD] : t2_y_q ? t2_size_q[WD +: WD]
-                           : t2_size_q[0 +: WD];
+    wire [W-1:0]  w_org  = t3_z_q ? t3_org_q[2*W +: W] : t3_y_q ? t3_org_q[W +: W]
+                           : t3_org_q[0 +: W];
+    wire          w_neg  = t3_z_q ? t3_neg_q[2] : t3_y_q ? t3_neg_q[1] : t3_neg_q[0];
+    wire [WD-1:0] w_size = t3_z_q ? t3_size_q[2*WD +: WD] : t3_y_q ? t3_size_q[WD +: WD]
+                           : t3_size_q[0 +: WD];
     wire [W:0]    w_room = {1'b0, {!w_org[W-1], w_org[W-2:0]} ^ {W{!w_neg}}} + {{W{1'b0}}, 1'b1};
     always @(posedge clk) begin
         t1_q        <= take;
@@ -114,11 +114,17 @@ module rt_facet #(
         t2_q        <= t1_q;
         t2_own_q    <= own;
         t2_org_q    <= t1_org_q;
-        t2_size_q   <= {size_z, size_y, size_x};
+        t2_size_q   <= {size_of(t1_dir_q[2*WD +: WD]), size_of(t1_dir_q[WD +: WD]),
+                        size_of(t1_dir_q[0 +: WD])};
         t2_neg_q    <= {t1_dir_q[3*WD-1], t1_dir_q[2*WD-1], t1_dir_q[WD-1]};
-        t2_y_q      <= y_wins;
-        t2_z_q      <= size_z > (y_wins ? size_y : size_x);
-        if (rst) {t1_q, t2_q} <= 2'd0;
+        t3_q        <= t2_q;
+        t3_own_q    <= t2_own_q;
+        t3_org_q    <= t2_org_q;
+        t3_size_q   <= t2_size_q;
+        t3_neg_q    <= t2_neg_q;
+        t3_y_q      <= y_wins;
+        t3_z_q      <= y_wins ? size_z > size_y : size_z > size_x;
+        if (rst) {t1_q, t2_q, t3_q} <= 3'd0;
     end
 
     // ---- what waits for the sums ----
@@ -132,8 +138,8 @@ module rt_facet #(
         .out_valid_o(a_valid), .out_ready_i(s2_q_valid), .out_data_o(a_all)
     );
     rt_fifo #(.WIDTH(BB), .DEPTH(HOLD)) u_ways (
-        .clk(clk), .rst(rst), .in_valid_i(t2_q), .in_ready_o(b_in),
-        .in_data_i({t2_own_q, w_room, w_size}),
+        .clk(clk), .rst(rst), .in_valid_i(t3_q), .in_ready_o(b_in),
+        .in_data_i({t3_own_q, w_room, w_size}),
         .out_valid_o(b_valid), .out_ready_i(s2_q_valid), .out_data_o(b_all)
     );
     wire            is_shadow = SHADOW != 0 && a_all[2*WD+1];
@@ -256,7 +262,7 @@ module rt_facet #(
             // for benches: {turned away, taken, clocks of work}
             wire [7:0] work_keys_of_facets /* verilator public_flat_rd */ =
                 {k_valid && !divides, take_k[u], 5'd0,
-                 take_k[u] || (!ready[u] && !(done[u] && !(give_k[u] && result_ready_i)))};
+                 take_k[u] || !ready[u]};
         end
     endgenerate
     always @* begin

@@ -3,7 +3,8 @@
 //   key = ceil(a*num' / det'); a plane farther than the grid, num'*size > det'*room:
 //   key = ceil(a*room / size) + size - ceil(det'*room / num')
 // A hit makes its products here while the divider is at work for the one before it; another divider
-// ranks planes beyond the grid. Keys leave in the order of the hits. rt_facet has several of these.
+// ranks planes beyond the grid. Keys leave in the order of the hits, from a register, so that who
+// takes them does not make the divider wait. rt_facet has several of these.
 // Model: end() and sph_facet_key() in cmodel/prim/facet.c
 `timescale 1ns / 1ps
 `default_nettype none
@@ -29,10 +30,10 @@ module rt_facet_key #(
     input  wire [W:0]       in_room_i,           // to one unit beyond the grid, along the longest
     input  wire [WD-1:0]    in_size_i,           // axis of dir; |dir| along it
     // to rt_facet
-    output wire             out_valid_o,
+    output reg              out_valid_o,
     input  wire             out_ready_i,
-    output wire [TAG-1:0]   out_tag_o,
-    output wire [W+WD+1:0]  out_key_o            // > 0
+    output reg  [TAG-1:0]   out_tag_o,
+    output reg  [W+WD+1:0]  out_key_o            // > 0
 );
     localparam QW = W + WD + 1;                  // quotient
     localparam LW = DW > MW ? DW : MW;           // long factor
@@ -114,8 +115,8 @@ module rt_facet_key #(
 
     // ---- key ----
     wire [LW+2*WD+DW+QW-1:0] wide = {{(DW+QW){1'b0}}, product};
-    wire                k_valid, k_ready;
-    wire [QW:0]         key;
+    wire                k_valid, k_ready;        // a key is there; it is taken
+    wire [QW:0]         key, k_key;              // k_key: with the order of planes
     reg                 k_past_q;
     reg  [TAG-1:0]      k_tag_q;
     rt_divide #(.DW(DW), .QW(QW), .STEP(STEP)) u_divide (
@@ -127,7 +128,14 @@ module rt_facet_key #(
         k_past_q <= past_q;
         k_tag_q  <= tag_q;
     end
-    assign out_tag_o = k_tag_q;
+    always @(posedge clk) begin
+        if (k_ready) begin
+            out_tag_o <= k_tag_q;
+            out_key_o <= k_key;
+        end
+        out_valid_o <= k_ready || (out_valid_o && !out_ready_i);
+        if (rst) out_valid_o <= 1'b0;
+    end
 
     // ---- order of planes beyond the grid ----
     generate
@@ -138,29 +146,26 @@ module rt_facet_key #(
             reg              ranked_q;           // add_q is what a key of its own has more
             wire [MW+WD-1:0] face = {{(MW+WD-FW){1'b0}}, face_q[FW-1:0]};
             wire [WD:0]      add = {1'b0, from_q} - rank;
-            wire             ranks = k_valid && k_past_q && ranked_q && out_ready_i;
+            wire             ranks = k_ready && k_past_q;
             always @(posedge clk) begin
                 if (again) from_q <= size_q;
                 add_q    <= add[WD-1:0];
                 ranked_q <= ranked && !ranks;
                 if (rst) ranked_q <= 1'b0;
             end
-            rt_divide #(.DW(MW), .QW(WD), .STEP(1)) u_rank (
+            rt_divide #(.DW(MW), .QW(WD), .STEP(1), .AT_ONCE(0)) u_rank (
                 .clk(clk), .rst(rst), .in_valid_i(again), .in_ready_o(rank_ready),
                 .in_x_i(face), .in_d_i(num_q),
                 .out_valid_o(ranked), .out_ready_i(ranks),
                 .out_key_o(rank)
             );
-            assign k_ready     = out_ready_i && (!k_past_q || ranked_q);
-            assign out_valid_o = k_valid && (!k_past_q || ranked_q);
-            assign out_key_o   = key + (k_past_q ? {{(QW+1-WD){1'b0}}, add_q}
-                                        : {(QW+1){1'b0}});
+            assign k_ready = k_valid && !out_valid_o && (!k_past_q || ranked_q);
+            assign k_key   = key + (k_past_q ? {{(QW+1-WD){1'b0}}, add_q} : {(QW+1){1'b0}});
             wire unused = add[WD];
         end else begin : g_near
-            assign rank_ready  = 1'b0;
-            assign k_ready     = out_ready_i;
-            assign out_valid_o = k_valid;
-            assign out_key_o   = key;
+            assign rank_ready = 1'b0;
+            assign k_ready    = k_valid && !out_valid_o;
+            assign k_key      = key;
             wire unused = &{1'b0, k_past_q};
         end
     endgenerate

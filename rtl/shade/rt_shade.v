@@ -72,8 +72,7 @@ module rt_shade #(
     // events and faults of this clock
     output wire [`RT_SHADE_EVENT_BITS-1:0] event_o,
     //: {MISS, TEXEL, POWER, SATURATED, QUOTIENT, REFRACTED, REFLECTED, SHADOW, PRIMARY}
-    output wire [3:0]                 fault_o,         // by number of the error, machine.def
-    output wire                       left_out_o       // a record came that no ray was to meet
+    output wire [3:0]                 fault_o          // by number of the error, machine.def
 );
     localparam SLOTW = $clog2(SLOTS);
     localparam SHADOWS = LIGHTS != 0 && SHADOW != 0 ? 1 : 0;           // shadow rays
@@ -139,8 +138,6 @@ module rt_shade #(
         end
     endgenerate
     assign fault_o[`RT_ERROR_BAD_NODE] = texture_bad || smooth_bad;
-    wire [255:0] record = prim_record[`RT_RECORD_DATA];
-    assign left_out_o = prim_record[`RT_RECORD_VALID] && record[`RT_PRIM_LEFT_OUT_LSB];
 
     // ---- where the next ray starts: at the surface, or where a refracted ray has waited ----
     wire [`RT_BACK_BITS-1:0] back;
@@ -251,6 +248,6 @@ module rt_shade #(
     assign event_o[`RT_SHADE_EVENT_SHADOW]    = shadow_go_o;
     assign event_o[`RT_SHADE_EVENT_REFLECTED] = SHARES != 0 ? reflected
                                                 : ray_go && !ray_i[`RT_RAY_PRIMARY];
-    wire unused = &{1'b0, effects, back, reflected, surface, record, FW != 0, `RT_EFFECTS_BUILT};
+    wire unused = &{1'b0, effects, back, reflected, surface, FW != 0, `RT_EFFECTS_BUILT};
 endmodule
 `default_nettype wire

@@ -75,8 +75,7 @@ module rt_shades #(
     // events of each unit and faults of this clock
     output wire [SHADES*`RT_SHADE_EVENT_BITS-1:0] event_o,
     //: {MISS, TEXEL, POWER, SATURATED, QUOTIENT, REFRACTED, REFLECTED, SHADOW, PRIMARY}
-    output reg  [3:0]                 fault_o,         // by number of the error, machine.def
-    output wire                       left_out_o       // a record came that no ray was to meet
+    output reg  [3:0]                 fault_o          // by number of the error, machine.def
 );
     localparam SLOTW = $clog2(SLOTS);
     localparam SB   = $clog2(SHADES), NB = SLOTW - $clog2(SETUPS);
@@ -113,7 +112,6 @@ module rt_shades #(
     wire [SHADES*BB-1:0]   blend;
     wire [SHADES*RB-1:0]   pixel;
     wire [SHADES*4-1:0]    fault;
-    wire [SHADES-1:0]      left_out;
     generate
         for (s = 0; s < SHADES; s = s + 1) begin : g_shade
             rt_shade #(
@@ -140,8 +138,7 @@ module rt_shades #(
                 .mem_req_line_o(mem_req_line_o[`RT_LINE_BITS*s +: `RT_LINE_BITS]),
                 .mem_rsp_valid_i(mem_rsp_valid_i[s]), .mem_rsp_ready_o(mem_rsp_ready_o[s]),
                 .mem_rsp_data_i(mem_rsp_data_i), .mem_rsp_error_i(mem_rsp_error_i),
-                .event_o(event_o[EB*s +: EB]), .fault_o(fault[4*s +: 4]),
-                .left_out_o(left_out[s])
+                .event_o(event_o[EB*s +: EB]), .fault_o(fault[4*s +: 4])
             );
         end
     endgenerate
@@ -173,7 +170,6 @@ module rt_shades #(
             assign {texture_o, colour_o} = pixel;
         end
     endgenerate
-    assign left_out_o = |left_out;
     integer f;
     always @* begin
         fault_o = 4'd0;

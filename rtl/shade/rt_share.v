@@ -45,8 +45,8 @@ module rt_share #(
     output reg  [16:0]    out_mirror_o,    // weight of a mirror ray, u1.16
     output reg  [16:0]    out_refract_o,   // of a refracted ray
     output reg  [16:0]    out_total_o,     // of a mirror ray if all is reflected
-    output wire           out_light_mirror_o, // it weighs less than in_least_i
-    output wire           out_light_refract_o
+    output reg            out_light_mirror_o, // it weighs less than in_least_i
+    output reg            out_light_refract_o
 );
     // ---- control: ph_q[n] n cycles after the surface was taken ----
     reg  [12:1]    ph_q;
@@ -85,8 +85,6 @@ module rt_share #(
     assign out_tag_o = tag_q;
 
     // ---- shares of the weight ----
-    assign out_light_mirror_o  = out_mirror_o[16:8] < least_q;
-    assign out_light_refract_o = out_refract_o[16:8] < least_q;
     wire [9:0]     both  = {1'b0, out_light_mirror_o ? 9'd0 : kr_q}
                          + {1'b0, out_light_refract_o ? 9'd0 : kt_q};
     wire           all   = both >= 10'd256;
@@ -94,7 +92,11 @@ module rt_share #(
     wire [8:0]     own   = sum_q ? 9'd256 : 9'd256 - total;
     wire [50:0]    product;                // round(product / 2^8) of each channel
     always @(posedge clk) begin
-        if (ph_q[6]) {out_refract_o, out_mirror_o} <= product[50:17];
+        if (ph_q[6]) begin
+            {out_refract_o, out_mirror_o} <= product[50:17];
+            out_light_mirror_o  <= product[33:25] < least_q;
+            out_light_refract_o <= product[50:42] < least_q;
+        end
         if (ph_q[9]) out_total_o <= product[33:17];
     end
 

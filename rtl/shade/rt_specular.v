@@ -58,20 +58,27 @@ module rt_specular #(
     reg  [20:0]        m_q;                // u5.16
     reg  [28:0]        e_q;                // u13.16
     wire [25:0]        line;               // {start, slope}
-    reg  signed [17:0] a, b;
-    always @* begin
-        a = $signed(normal_q[17:0]);
-        b = $signed(light_q[17:0]);
-        if (|ph_q[6:4]) b = $signed(dir_q[17:0]);
-        if (|ph_q[9:7]) a = $signed(dir_q[17:0]);
-        if (ph_q[10])             {a, b} = {nl_q, nd_q};
-        if (ph_q[14] || ph_q[20]) a = $signed({9'd0, line[8:0]});
-        if (ph_q[14])             b = $signed({10'd0, x_q[7:0]});
-        if (ph_q[20])             b = $signed({10'd0, e_q[7:0]});
-        if (ph_q[16] || ph_q[17]) a = $signed({6'd0, power_q});
-        if (ph_q[16])             b = $signed({2'd0, m_q[15:0]});
-        if (ph_q[17])             b = $signed({13'd0, m_q[20:16]});
+    // which, one-hot, told a clock ahead: cycles 7 to 9, 10, 14 or 20, 16 or 17; 4 to 6, 10, 14, 20,
+    // 16, 17
+    reg  [3:0]         of_a_q;
+    reg  [5:0]         of_b_q;
+    reg                normal_turn_q, light_turn_q;
+    wire [3:0]         of_a = {|ph_q[8:6], ph_q[9], ph_q[13] || ph_q[19], ph_q[15] || ph_q[16]};
+    wire [5:0]         of_b = {|ph_q[5:3], ph_q[9], ph_q[13], ph_q[19], ph_q[15], ph_q[16]};
+    always @(posedge clk) begin
+        {of_a_q, normal_turn_q} <= {of_a, ~|of_a};
+        {of_b_q, light_turn_q}  <= {of_b, ~|of_b};
     end
+    wire signed [17:0] a = $signed(({18{normal_turn_q}} & normal_q[17:0]) |
+                                   ({18{of_a_q[3]}} & dir_q[17:0]) | ({18{of_a_q[2]}} & nl_q) |
+                                   ({18{of_a_q[1]}} & {9'd0, line[8:0]}) |
+                                   ({18{of_a_q[0]}} & {6'd0, power_q}));
+    wire signed [17:0] b = $signed(({18{light_turn_q}} & light_q[17:0]) |
+                                   ({18{of_b_q[5]}} & dir_q[17:0]) | ({18{of_b_q[4]}} & nd_q) |
+                                   ({18{of_b_q[3]}} & {10'd0, x_q[7:0]}) |
+                                   ({18{of_b_q[2]}} & {10'd0, e_q[7:0]}) |
+                                   ({18{of_b_q[1]}} & {2'd0, m_q[15:0]}) |
+                                   ({18{of_b_q[0]}} & {13'd0, m_q[20:16]}));
     reg  signed [35:0] prod_q;
     always @(posedge clk) prod_q <= a * b;
 

@@ -50,20 +50,18 @@ module rt_texel #(
     reg [1:0]        clamp_q;
     reg [2:0]        step_q;              // stays at the last one until requests are free
     reg [12:0]       size_w_q, size_h_q;  // of the level
-    reg [11:0]       w_q, h_q;            // the same, less one
+    reg [11:0]       w_q, h_q;            // the same, less one, a clock later
     reg [`RT_LINE_BITS:0] line_q, next_q;
     wire             take = in_valid_i && in_ready_o;
     wire             free;                // no request is left after this clock
     wire             ready = busy_q && step_q == READY && free;
     wire             more = both_q && !second_q;
     assign in_ready_o = !busy_q;
-    // (size >> level, at least 1) - 1
+    // size >> level
     wire [12:0]      in_w = ({1'b0, in_w_i} + 13'd1) >> in_level_i;
     wire [12:0]      in_h = ({1'b0, in_h_i} + 13'd1) >> in_level_i;
     wire [12:0]      size_w = take ? in_w : size_w_q >> 1;
     wire [12:0]      size_h = take ? in_h : size_h_q >> 1;
-    wire [12:0]      last_w = size_w - {12'd0, |size_w};
-    wire [12:0]      last_h = size_h - {12'd0, |size_h};
     function [19:0] kept;                 // of a coordinate
         input        stays;
         input [39:0] at;
@@ -80,14 +78,14 @@ module rt_texel #(
         if (take || (ready && more)) begin
             size_w_q <= size_w | {12'd0, ~|size_w};
             size_h_q <= size_h | {12'd0, ~|size_h};
-            w_q      <= last_w[11:0];
-            h_q      <= last_h[11:0];
             line_q   <= take ? in_line_i : next_q;
             second_q <= !take;
             step_q   <= 3'd0;
         end else if (step_q != READY) begin
             step_q   <= step_q + 3'd1;
         end
+        w_q <= size_w_q[11:0] - 12'd1;
+        h_q <= size_h_q[11:0] - 12'd1;
         if (take) busy_q <= 1'b1;
         else if (ready && !more) busy_q <= 1'b0;
         if (rst) busy_q <= 1'b0;
@@ -178,6 +176,6 @@ module rt_texel #(
     wire [7:0] work_levels_to_texels /* verilator public_flat_rd */ =
         {in_valid_i && !in_ready_o, take, 5'd0,
          take || (busy_q && !(step_q == READY && !free))};
-    wire unused = &{1'b0, last_w[12], last_h[12], place[20], low[12], prod_q};
+    wire unused = &{1'b0, place[20], low[12], prod_q};
 endmodule
 `default_nettype wire

@@ -9,7 +9,8 @@
 `include "rt_layout.vh"
 `include "rt_top.vh"
 module rt_control #(
-    parameter LAYERS = 0                // 1: the registers that rt_top has with it alone
+    parameter LAYERS = 0,               // 1: the registers that rt_top has with it alone
+    parameter ADDR   = 32               // above 32: those that it has then
 ) (
     input  wire        clk,
     input  wire        rst,
@@ -32,6 +33,7 @@ module rt_control #(
     output reg  [31:0] s_rdata,
     output reg  [1:0]  s_rresp,
     output wire        irq_o,           // level
+    output wire        busy_o,          // something was taken and not answered
     // what stands in read-only registers
     input  wire [127:0] built_i,        // {CORE_BUS, CORE_PARTS, CORE_EFFECTS, CORE_PROFILE}
     input  wire [31:0] status_i,        // STATUS
@@ -40,7 +42,7 @@ module rt_control #(
     input  wire [2:0]  happened_i,      // bits of INTERRUPTS but ERROR
     input  wire        good_i,          // a frame is complete
     // orders, settings
-    output wire [6:0]  order_o,         // bits of CONTROL, for one cycle
+    output reg  [6:0]  order_o,         // bits of CONTROL, for one cycle
     output wire [32*`RT_TOP_SETTINGS-1:0] settings_o, // read-write registers, from WATCHDOG on
     // to rt_machine and rt_totals
     output wire [3:0]  machine_write_o,
@@ -53,7 +55,8 @@ module rt_control #(
     input  wire        count_busy_i
 );
     localparam ALL = `RT_TOP_SETTINGS;
-    localparam SETTINGS = LAYERS != 0 ? ALL : ALL - `RT_TOP_SETTINGS_OF_LAYERS;
+    localparam [ALL-1:0] THERE = ~((LAYERS != 0 ? {ALL{1'b0}} : `RT_TOP_SETTINGS_OF_LAYERS) |
+                                   (ADDR > 32 ? {ALL{1'b0}} : `RT_TOP_SETTINGS_OF_ADDR));
     localparam [32*ALL-1:0] RESET = `RT_TOP_SETTINGS_RESET;
     localparam [32*ALL-1:0] KEPT = `RT_TOP_SETTINGS_KEPT;
     localparam [12*ALL-1:0] AT = `RT_TOP_SETTINGS_AT;
@@ -91,7 +94,8 @@ module rt_control #(
     assign machine_write_o = write && aw_machine && aw_q[8:2] < REGS ? strobe_q : 4'd0;
     assign write_addr_o    = aw_q[8:2];
     assign write_data_o    = w_q;
-    assign order_o         = write && w_addr == `RT_TOP_CONTROL ? ones[6:0] : 7'd0;
+    always @(posedge clk)              // from a register, as the answer: it reaches far
+        order_o <= write && w_addr == `RT_TOP_CONTROL && !rst ? ones[6:0] : 7'd0;
 
     // ---- a read ----
     reg         ar_full_q;
@@ -116,20 +120,20 @@ module rt_control #(
     end
 
     // ---- settings: read-write registers, one behind the other ----
-    reg  [32*SETTINGS-1:0] settings_q;
-    integer i;
-    always @(posedge clk) begin
-        for (i = 0; i < SETTINGS; i = i + 1)
-            if (write && w_addr == AT[12*i +: 12])
-                settings_q[32*i +: 32] <= ((settings_q[32*i +: 32] & ~keep) | ones) &
-                                          KEPT[32*i +: 32];
-        if (rst) settings_q <= RESET[0 +: 32*SETTINGS];
-    end
-    assign settings_o[0 +: 32*SETTINGS] = settings_q;
+    genvar i;
     generate
-        if (SETTINGS != ALL) begin : g_none
-            assign settings_o[32*ALL-1:32*SETTINGS] = 0;
-            wire unused_settings = &{1'b0, RESET, KEPT, AT}; // what is above
+        for (i = 0; i < ALL; i = i + 1) begin : g_setting
+            if (THERE[i]) begin : g_there
+                reg [31:0] value_q;
+                always @(posedge clk) begin
+                    if (write && w_addr == AT[12*i +: 12])
+                        value_q <= ((value_q & ~keep) | ones) & KEPT[32*i +: 32];
+                    if (rst) value_q <= RESET[32*i +: 32];
+                end
+                assign settings_o[32*i +: 32] = value_q;
+            end else begin : g_none
+                assign settings_o[32*i +: 32] = 32'd0;
+            end
         end
     endgenerate
 
@@ -149,7 +153,7 @@ module rt_control #(
             frames_q   <= 32'd0;
         end
     end
-    assign irq_o = (happened_q & settings_q[`RT_TOP_SET_INTERRUPT_ENABLE_SOURCES]) != 4'd0;
+    assign irq_o = (happened_q & settings_o[`RT_TOP_SET_INTERRUPT_ENABLE_SOURCES]) != 4'd0;
 
     // ---- values ----
     integer k;
@@ -172,11 +176,12 @@ module rt_control #(
             `RT_TOP_INTERRUPTS:   read_value = {28'd0, happened_q};
             default:              read_value = ar_count ? count_data_i : machine_data_i;
         endcase
-        for (k = 0; k < SETTINGS; k = k + 1) begin
+        for (k = 0; k < ALL; k = k + 1) if (THERE[k]) begin
             known = known | {r_addr == AT[12*k +: 12], w_addr == AT[12*k +: 12]};
-            if (r_addr == AT[12*k +: 12]) read_value = settings_q[32*k +: 32];
+            if (r_addr == AT[12*k +: 12]) read_value = settings_o[32*k +: 32];
         end
     end
+    assign busy_o = aw_full_q || w_full_q || s_bvalid || ar_full_q || s_rvalid;
     wire unused = &{1'b0, s_awaddr[1:0], s_araddr[1:0]};
 endmodule
 `default_nettype wire

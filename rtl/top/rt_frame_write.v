@@ -11,11 +11,12 @@
 module rt_frame_write #(
     parameter DATA    = 64,              // bits of a beat, 64 or 128
     parameter BUFFERS = 16,              // groups filled at once, a power of two, 4..64
-    parameter LAYERS  = 0                // 1: all three colours of a pixel are stored
+    parameter LAYERS  = 0,               // 1: all three colours of a pixel are stored
+    parameter ADDR    = 32               // bits of an address, 32 to 40
 ) (
     input  wire              clk,
     input  wire              rst,
-    input  wire [31:0]       base_i,     // of the frame, a multiple of 64
+    input  wire [ADDR-1:0]   base_i,     // of the frame, a multiple of 64
     input  wire              begin_i,    // START; from now on
     input  wire [1:0]        mux_i,      // register MUX says which colours are stored,
     input  wire [15:0]       stride_i,   // rows are apart by this, a multiple of 32
@@ -46,7 +47,7 @@ module rt_frame_write #(
     // AXI4
     output wire              m_awvalid,
     input  wire              m_awready,
-    output wire [31:0]       m_awaddr,
+    output wire [ADDR-1:0]   m_awaddr,
     output wire [7:0]        m_awlen,
     output wire              m_wvalid,
     input  wire              m_wready,
@@ -90,18 +91,18 @@ module rt_frame_write #(
 
     // ---- stage 1: address ----
     reg          s1_valid_q;
-    reg  [31:0]  s1_addr_q;
+    reg  [ADDR-1:0] s1_addr_q;
     reg  [7:0]   s1_mask_q;
     reg  [191:0] s1_rgb_q;
     wire         s1_ready;
     wire         s1_free = s1_ready || !s1_valid_q;
-    wire [31:0]  base;                   // of the layer that is next of the group
+    wire [ADDR-1:0] base;                // of the layer that is next of the group
     wire [191:0] layer_rgb;
     always @(posedge clk) begin
         if (s1_free) begin
             s1_valid_q <= g_go;
-            s1_addr_q  <= base + {2'd0, row_q} +
-                          (rgb565_q ? {17'd0, g_column, 4'd0} : {16'd0, g_column, 5'd0});
+            s1_addr_q  <= base + {{(ADDR-30){1'b0}}, row_q} + {{(ADDR-32){1'b0}},
+                          rgb565_q ? {17'd0, g_column, 4'd0} : {16'd0, g_column, 5'd0}};
             s1_mask_q  <= g_mask;
             s1_rgb_q   <= layer_rgb;
         end
@@ -119,7 +120,8 @@ module rt_frame_write #(
             assign g_ready   = s1_free && g_go;
             wire unused_layer = &{1'b0, layer_i};
         end else begin : g_layers
-            reg  [31:0] layer_bytes_q, base_q;
+            reg  [31:0] layer_bytes_q;
+            reg  [ADDR-1:0] base_q;
             reg  [1:0]  layer_q;         // of the group, 0 to 2
             wire        last = layer_q == 2'd2;
             assign rgb     = pix_colour_i;
@@ -134,7 +136,7 @@ module rt_frame_write #(
                 if (begin_i) layer_bytes_q <= layer_i;
                 if (s1_free && g_go) begin
                     layer_q <= last ? 2'd0 : layer_q + 2'd1;
-                    base_q  <= base + layer_bytes_q;
+                    base_q  <= base + {{(ADDR-32){1'b0}}, layer_bytes_q};
                 end
                 if (rst || drop) layer_q <= 2'd0;
             end
@@ -157,7 +159,7 @@ module rt_frame_write #(
             assign rgb565_strobe[2*p +: 2]  = {2{s1_mask_q[p]}};
         end
     endgenerate
-    rt_axi_write #(.DATA(DATA)) u_write (
+    rt_axi_write #(.DATA(DATA), .ADDR(ADDR)) u_write (
         .clk(clk), .rst(rst), .cut_i(drop), .forget_i(forget_i), .idle_o(idle_o),
         .stall_o(stall_o), .slverr_o(slverr_o), .decerr_o(decerr_o), .burst_o(burst_o),
         .beat_o(beat_o), .group_valid_i(s1_valid_q), .group_ready_o(s1_ready),

@@ -14,11 +14,19 @@ module rt_top #(
     parameter BUFFERS    = 16,   // groups of pixels filled at once, a power of two, 4..64
     parameter VIDEO      = 0,    // 1: a video output
     parameter LAYERS     = 0,    // 1: frames have three layers, Rendering, L1 and L2
+    parameter ADDR       = 32,   // 32..40: bits of an address of the AXI4 masters
+    parameter FRAME_ID   = 0,    // 0..31: ID of writes to the frame store
+    parameter SCAN_ID    = 0,    // 0..31: ID of reads of the display
+    parameter AXI_CACHE  = 3,    // 0..15: AxCACHE of all masters; 3: normal, not cached, bufferable
+    parameter AXI_PROT   = 2,    // 0..7: AxPROT of all masters; 2: data, non-secure, unprivileged
+    parameter AXI_QOS    = 0,    // 0..15: AxQOS of scene and frame store
+    parameter SCAN_QOS   = 0,    // 0..15: ARQOS of the display
     `include "rt_core_parameters.vh"
 ) (
     input  wire              clk,
     input  wire              rst,
     output wire              irq_o,            // level, while an enabled interrupt is set
+    output wire              active_o,         // 0: clk may stand still in this cycle
     // registers: AXI4-Lite
     input  wire              s_axil_awvalid,
     output wire              s_axil_awready,
@@ -41,23 +49,30 @@ module rt_top #(
     output wire              m_scene_arvalid,
     input  wire              m_scene_arready,
     output wire [`RT_TAG_BITS-1:0] m_scene_arid,
-    output wire [31:0]       m_scene_araddr,
+    output wire [ADDR-1:0]   m_scene_araddr,
     output wire [7:0]        m_scene_arlen,
     output wire [2:0]        m_scene_arsize,
     output wire [1:0]        m_scene_arburst,
+    output wire [3:0]        m_scene_arcache,
+    output wire [2:0]        m_scene_arprot,
+    output wire [3:0]        m_scene_arqos,
     input  wire              m_scene_rvalid,
     output wire              m_scene_rready,
     input  wire [`RT_TAG_BITS-1:0] m_scene_rid,
     input  wire [MEM_DATA-1:0] m_scene_rdata,
     input  wire [1:0]        m_scene_rresp,
     input  wire              m_scene_rlast,
-    // frame store: AXI4 writes; INCR, ID 0
+    // frame store: AXI4 writes; INCR, one ID
     output wire              m_frame_awvalid,
     input  wire              m_frame_awready,
-    output wire [31:0]       m_frame_awaddr,
+    output wire [`RT_TAG_BITS-1:0] m_frame_awid,
+    output wire [ADDR-1:0]   m_frame_awaddr,
     output wire [7:0]        m_frame_awlen,
     output wire [2:0]        m_frame_awsize,
     output wire [1:0]        m_frame_awburst,
+    output wire [3:0]        m_frame_awcache,
+    output wire [2:0]        m_frame_awprot,
+    output wire [3:0]        m_frame_awqos,
     output wire              m_frame_wvalid,
     input  wire              m_frame_wready,
     output wire [DATA-1:0]   m_frame_wdata,
@@ -69,14 +84,18 @@ module rt_top #(
     // a reader of frames that stands outside, without VIDEO or while it is off
     input  wire              take_i,           // one cycle, before a frame is read
     output wire              show_valid_o,     // a frame is shown, at
-    output wire [31:0]       show_base_o,      // this address, from the cycle after take_i
-    // display: AXI4 reads; INCR, ID 0; without VIDEO all of its outputs are 0
+    output wire [ADDR-1:0]   show_base_o,      // this address, from the cycle after take_i
+    // display: AXI4 reads; INCR, one ID; without VIDEO all of its outputs are 0
     output wire              m_scan_arvalid,
     input  wire              m_scan_arready,
-    output wire [31:0]       m_scan_araddr,
+    output wire [`RT_TAG_BITS-1:0] m_scan_arid,
+    output wire [ADDR-1:0]   m_scan_araddr,
     output wire [7:0]        m_scan_arlen,
     output wire [2:0]        m_scan_arsize,
     output wire [1:0]        m_scan_arburst,
+    output wire [3:0]        m_scan_arcache,
+    output wire [2:0]        m_scan_arprot,
+    output wire [3:0]        m_scan_arqos,
     input  wire              m_scan_rvalid,
     output wire              m_scan_rready,
     input  wire [DATA-1:0]   m_scan_rdata,
@@ -100,11 +119,25 @@ module rt_top #(
     `RT_CHECK(DATA == 64 || DATA == 128, rt_top_DATA_must_be_64_or_128)
     `RT_CHECK(VIDEO == 0 || VIDEO == 1, rt_top_VIDEO_must_be_0_or_1)
     `RT_CHECK(LAYERS == 0 || LAYERS == 1, rt_top_LAYERS_must_be_0_or_1)
+    `RT_CHECK(ADDR >= 32 && ADDR <= 40, rt_top_ADDR_must_be_32_to_40)
+    `RT_CHECK(FRAME_ID >= 0 && FRAME_ID < 32 && SCAN_ID >= 0 && SCAN_ID < 32,
+        rt_top_FRAME_ID_and_SCAN_ID_must_be_0_to_31)
+    `RT_CHECK(AXI_CACHE >= 0 && AXI_CACHE < 16 && AXI_PROT >= 0 && AXI_PROT < 8,
+        rt_top_AXI_CACHE_must_be_0_to_15_and_AXI_PROT_0_to_7)
+    `RT_CHECK(AXI_QOS >= 0 && AXI_QOS < 16 && SCAN_QOS >= 0 && SCAN_QOS < 16,
+        rt_top_AXI_QOS_and_SCAN_QOS_must_be_0_to_15)
     localparam [2:0] SIZE = DATA == 64 ? 3'd3 : 3'd4;     // bytes of a beat, their logarithm
     assign m_scene_arsize  = MEM_DATA == 64 ? 3'd3 : MEM_DATA == 128 ? 3'd4 : 3'd5;
     assign m_scene_arburst = 2'b01;
     assign m_frame_awsize  = SIZE;
     assign m_frame_awburst = 2'b01;
+    localparam [31:0] A_FRAME_ID = FRAME_ID, A_SCAN_ID = SCAN_ID, A_CACHE = AXI_CACHE,
+                      A_PROT = AXI_PROT, A_QOS = AXI_QOS, A_SCAN_QOS = SCAN_QOS;
+    assign {m_scene_arcache, m_scene_arprot, m_scene_arqos} = {A_CACHE[3:0], A_PROT[2:0],
+                                                               A_QOS[3:0]};
+    assign {m_frame_awcache, m_frame_awprot, m_frame_awqos} = {A_CACHE[3:0], A_PROT[2:0],
+                                                               A_QOS[3:0]};
+    assign m_frame_awid = A_FRAME_ID[`RT_TAG_BITS-1:0];
 
     // ---- what the block was built with ----
     localparam [31:0] PROFILE = W << `RT_WIDTH_W_LSB | WD << `RT_WIDTH_WD_LSB |
@@ -112,7 +145,7 @@ module rt_top #(
                                 FW << `RT_WIDTH_FW_LSB | PR << `RT_WIDTH_PR_LSB;
     localparam [31:0] DEPTH = `RT_DEEPEST;
     localparam [31:0] A_ENGINES = ENGINES, A_LIGHTS = LIGHTS, A_CONES = CONES, A_COARSE = COARSE,
-                      A_DATA = DATA;
+                      A_DATA = DATA, A_ADDR = ADDR;
     wire [31:0] parts, bus, status;
     assign parts[31:25] = 7'd0;
     assign parts[`RT_TOP_CORE_PARTS_BOXES]   = BOXES != 0;
@@ -124,7 +157,8 @@ module rt_top #(
     assign parts[`RT_TOP_CORE_PARTS_LIGHTS]  = A_LIGHTS[3:0];
     assign parts[`RT_TOP_CORE_PARTS_DEPTH]   = DEPTH[3:0];
     assign parts[`RT_TOP_CORE_PARTS_ENGINES] = A_ENGINES[3:0];
-    assign bus[31:10] = 22'd0;
+    assign bus[31:16] = 16'd0;
+    assign bus[`RT_TOP_CORE_BUS_ADDR] = A_ADDR[5:0];
     assign bus[`RT_TOP_CORE_BUS_LAYERS] = LAYERS != 0;
     assign bus[`RT_TOP_CORE_BUS_VIDEO] = VIDEO != 0;
     assign bus[`RT_TOP_CORE_BUS_DATA]  = A_DATA[7:0];
@@ -134,19 +168,26 @@ module rt_top #(
     wire [32*`RT_TOP_SETTINGS-1:0] settings;
     wire [3:0]  machine_write;
     wire [31:0] write_data, machine_data, count_data;
-    wire        machine_busy, count_busy;
+    wire        machine_busy, count_busy, control_busy;
     wire [15:0] errors;
     wire        done, swap, frame_end, good;
-    wire        video_take, blank, underrun, scan_error, scan_stall;
-    wire        unused = &{1'b0, settings};               // bits that no register has
-    rt_control #(.LAYERS(LAYERS)) u_control (
+    wire        video_take, blank, underrun, scan_error, scan_stall, video_idle;
+    wire [39:0] scene_base = {settings[`RT_TOP_SET_ADDRESS_HIGH_SCENE],
+                              settings[`RT_TOP_SET_SCENE_BASE]};
+    wire [39:0] frame0 = {settings[`RT_TOP_SET_ADDRESS_HIGH_FRAME0], settings[`RT_TOP_SET_FRAME0]};
+    wire [39:0] frame1 = {settings[`RT_TOP_SET_ADDRESS_HIGH_FRAME1], settings[`RT_TOP_SET_FRAME1]};
+    wire [39:0] frame2 = {settings[`RT_TOP_SET_ADDRESS_HIGH_FRAME2], settings[`RT_TOP_SET_FRAME2]};
+    // bits that no register has, or no address
+    wire        unused = &{1'b0, settings, scene_base, frame0, frame1, frame2};
+    rt_control #(.LAYERS(LAYERS), .ADDR(ADDR)) u_control (
         .clk(clk), .rst(rst), .s_awvalid(s_axil_awvalid), .s_awready(s_axil_awready),
         .s_awaddr(s_axil_awaddr), .s_wvalid(s_axil_wvalid), .s_wready(s_axil_wready),
         .s_wdata(s_axil_wdata), .s_wstrb(s_axil_wstrb), .s_bvalid(s_axil_bvalid),
         .s_bready(s_axil_bready), .s_bresp(s_axil_bresp), .s_arvalid(s_axil_arvalid),
         .s_arready(s_axil_arready), .s_araddr(s_axil_araddr), .s_rvalid(s_axil_rvalid),
         .s_rready(s_axil_rready), .s_rdata(s_axil_rdata), .s_rresp(s_axil_rresp), .irq_o(irq_o),
-        .built_i({bus, parts, `RT_EFFECTS_BUILT, PROFILE}), .status_i(status),
+        .busy_o(control_busy), .built_i({bus, parts, `RT_EFFECTS_BUILT, PROFILE}),
+        .status_i(status),
         .errors_i(errors), .happened_i({underrun, swap, done}), .good_i(frame_end && good),
         .order_o(order), .settings_o(settings), .machine_write_o(machine_write),
         .write_addr_o(write_addr), .write_data_o(write_data), .read_addr_o(read_addr),
@@ -179,7 +220,7 @@ module rt_top #(
         .room_i(room), .clear_o(clear), .begin_o(frame_begin), .end_o(frame_end), .good_o(good),
         .cut_o(cut), .forget_o(forget), .read_idle_i(read_idle),
         .read_stall_i(read_stall), .read_errors_i({read_decerr, read_slverr}),
-        .write_dead_o(write_dead), .flush_o(flush), .write_empty_i(write_empty),
+        .write_dead_o(write_dead), .flush_o(flush), .write_empty_i(write_empty && !write_valid),
         .write_idle_i(write_idle), .write_stall_i(write_stall),
         .write_errors_i({write_decerr, write_slverr}), .scan_error_i(scan_error),
         .scan_stall_i(scan_stall)
@@ -187,14 +228,12 @@ module rt_top #(
     wire        video = VIDEO != 0 && settings[`RT_TOP_SET_VIDEO_ENABLE];
     wire        take  = video ? video_take : take_i || order[`RT_TOP_CONTROL_TAKE];
     wire        again, lost;
-    wire [31:0] draw_base;
+    wire [ADDR-1:0] draw_base;
     assign status[31:11] = 21'd0;
     assign status[`RT_TOP_STATUS_BLANK] = blank;
     assign status[`RT_TOP_STATUS_VALID] = show_valid_o;
-    rt_frames #(.LAYERS(LAYERS)) u_frames (
-        .clk(clk), .rst(rst),
-        .bases_i({settings[`RT_TOP_SET_FRAME2], settings[`RT_TOP_SET_FRAME1],
-                  settings[`RT_TOP_SET_FRAME0]}),
+    rt_frames #(.LAYERS(LAYERS), .ADDR(ADDR)) u_frames (
+        .clk(clk), .rst(rst), .bases_i({frame2[ADDR-1:0], frame1[ADDR-1:0], frame0[ADDR-1:0]}),
         .wait_i(settings[`RT_TOP_SET_FRAME_MODE_WAIT]),
         .layer_i(settings[`RT_TOP_SET_LAYER_BYTES]), .mux_i(settings[`RT_TOP_SET_MUX_FRAME]),
         .cfg_valid_i(cfg_valid), .cfg_addr_i(cfg_addr), .cfg_data_i(cfg_data), .clear_i(clear),
@@ -211,10 +250,10 @@ module rt_top #(
     wire [`RT_LINE_BITS-1:0] req_line;
     wire [`RT_TAG_BITS-1:0] req_tag, rsp_tag;
     wire [MEM_DATA-1:0] rsp_data;
-    wire        pix_valid, pix_ready;
-    wire [13:0] pix_x, pix_y;
-    wire [71:0] pix_colour;
-    wire [23:0] pix_frame;
+    wire        pix_valid, pix_ready, write_valid, write_ready;
+    wire [13:0] pix_x, pix_y, write_x, write_y;
+    wire [71:0] pix_colour, write_colour;
+    wire [23:0] pix_frame, write_frame;
     wire [4:0]  count_addr;
     wire [47:0] count;
     wire [`RT_ID_BITS-1:0] pix_id;
@@ -222,7 +261,7 @@ module rt_top #(
     wire [`RT_VISITS_BITS-1:0] pix_visits;
     wire [31:0] pix_texture;
     wire        core_active;
-    wire        unused_core = &{1'b0, core_active, pix_id, pix_key, pix_visits, pix_texture};
+    wire        unused_core = &{1'b0, pix_id, pix_key, pix_visits, pix_texture};
     rt_core #(
         `include "rt_core_pass.vh"
     ) u_core (
@@ -238,9 +277,8 @@ module rt_top #(
         .pix_texture_o(pix_texture),
         .count_addr_i(count_addr), .count_data_o(count), .errors_o(core_errors)
     );
-    rt_axi_read #(.DATA(MEM_DATA)) u_read (
-        .clk(clk), .rst(rst), .begin_i(load),
-        .base_i(settings[`RT_TOP_SET_SCENE_BASE]), .cut_i(core_rst),
+    rt_axi_read #(.DATA(MEM_DATA), .ADDR(ADDR)) u_read (
+        .clk(clk), .rst(rst), .begin_i(load), .base_i(scene_base[ADDR-1:0]), .cut_i(core_rst),
         .forget_i(forget), .idle_o(read_idle), .stall_o(read_stall),
         .slverr_o(read_slverr), .decerr_o(read_decerr), .burst_o(read_burst), .beat_o(read_beat),
         .req_valid_i(req_valid), .req_ready_o(req_ready), .req_line_i(req_line),
@@ -251,8 +289,15 @@ module rt_top #(
         .m_rready(m_scene_rready), .m_rid(m_scene_rid), .m_rdata(m_scene_rdata),
         .m_rresp(m_scene_rresp), .m_rlast(m_scene_rlast)
     );
+    // a frame's buffers and the engines do not wait for one another within a clock
+    rt_fifo #(.WIDTH(14 + 14 + 72 + 24), .DEPTH(2)) u_pixels (
+        .clk(clk), .rst(core_rst), .in_valid_i(pix_valid && pix_ready), .in_ready_o(pix_ready),
+        .in_data_i({pix_frame, pix_colour, pix_y, pix_x}),
+        .out_valid_o(write_valid), .out_ready_i(write_ready),
+        .out_data_o({write_frame, write_colour, write_y, write_x})
+    );
     wire [3:0] write_pixels;
-    rt_frame_write #(.DATA(DATA), .BUFFERS(BUFFERS), .LAYERS(LAYERS)) u_frame_write (
+    rt_frame_write #(.DATA(DATA), .BUFFERS(BUFFERS), .LAYERS(LAYERS), .ADDR(ADDR)) u_frame_write (
         .clk(clk), .rst(rst), .base_i(draw_base), .begin_i(load),
         .mux_i(settings[`RT_TOP_SET_MUX_FRAME]),
         .stride_i({settings[`RT_TOP_SET_STRIDE_UNITS], 5'd0}),
@@ -261,9 +306,10 @@ module rt_top #(
         .cut_i(cut), .dead_i(write_dead), .forget_i(forget), .flush_i(flush),
         .empty_o(write_empty), .idle_o(write_idle), .stall_o(write_stall),
         .slverr_o(write_slverr), .decerr_o(write_decerr), .burst_o(write_burst),
-        .beat_o(write_beat), .pixels_o(write_pixels), .pix_valid_i(pix_valid),
-        .pix_ready_o(pix_ready), .pix_x_i(pix_x), .pix_y_i(pix_y), .pix_colour_i(pix_colour),
-        .pix_frame_i(pix_frame), .m_awvalid(m_frame_awvalid), .m_awready(m_frame_awready),
+        .beat_o(write_beat), .pixels_o(write_pixels), .pix_valid_i(write_valid),
+        .pix_ready_o(write_ready), .pix_x_i(write_x), .pix_y_i(write_y),
+        .pix_colour_i(write_colour), .pix_frame_i(write_frame),
+        .m_awvalid(m_frame_awvalid), .m_awready(m_frame_awready),
         .m_awaddr(m_frame_awaddr), .m_awlen(m_frame_awlen), .m_wvalid(m_frame_wvalid),
         .m_wready(m_frame_wready), .m_wdata(m_frame_wdata), .m_wstrb(m_frame_wstrb),
         .m_wlast(m_frame_wlast), .m_bvalid(m_frame_bvalid), .m_bready(m_frame_bready),
@@ -281,6 +327,9 @@ module rt_top #(
     // ---- display ----
     generate
         if (VIDEO != 0) begin : g_video
+            assign m_scan_arid = A_SCAN_ID[`RT_TAG_BITS-1:0];
+            assign {m_scan_arcache, m_scan_arprot, m_scan_arqos} = {A_CACHE[3:0], A_PROT[2:0],
+                                                                    A_SCAN_QOS[3:0]};
             wire [`RT_MODE_BITS-1:0] mode;
             assign mode[`RT_MODE_H_ACTIVE] = settings[`RT_TOP_SET_VIDEO_H_ACTIVE_ACTIVE];
             assign mode[`RT_MODE_H_FRONT]  = settings[`RT_TOP_SET_VIDEO_H_ACTIVE_FRONT];
@@ -292,14 +341,15 @@ module rt_top #(
             assign mode[`RT_MODE_V_BACK]   = settings[`RT_TOP_SET_VIDEO_V_SYNC_BACK];
             assign mode[`RT_MODE_H_POL]    = settings[`RT_TOP_SET_VIDEO_H_POL];
             assign mode[`RT_MODE_V_POL]    = settings[`RT_TOP_SET_VIDEO_V_POL];
-            rt_video #(.DATA(DATA)) u_video (
+            rt_video #(.DATA(DATA), .ADDR(ADDR)) u_video (
                 .clk(clk), .rst(rst), .enable_i(settings[`RT_TOP_SET_VIDEO_ENABLE]),
                 .forget_i(forget), .mode_i(mode), .format_i(settings[`RT_TOP_SET_FORMAT_RGB565]),
                 .stride_i({settings[`RT_TOP_SET_STRIDE_UNITS], 5'd0}),
                 .double_i(settings[`RT_TOP_SET_VIDEO_DOUBLE]), .take_o(video_take),
                 .show_valid_i(show_valid_o), .show_base_i(show_base_o), .blank_o(blank),
                 .underrun_o(underrun), .error_o(scan_error), .stall_o(scan_stall),
-                .m_scan_arvalid(m_scan_arvalid), .m_scan_arready(m_scan_arready),
+                .idle_o(video_idle), .m_scan_arvalid(m_scan_arvalid),
+                .m_scan_arready(m_scan_arready),
                 .m_scan_araddr(m_scan_araddr), .m_scan_arlen(m_scan_arlen),
                 .m_scan_arsize(m_scan_arsize), .m_scan_arburst(m_scan_arburst),
                 .m_scan_rvalid(m_scan_rvalid),
@@ -313,13 +363,24 @@ module rt_top #(
             );
         end else begin : g_no_video
             assign {video_take, blank, underrun, scan_error, scan_stall} = 5'd0;
-            assign {m_scan_arvalid, m_scan_araddr, m_scan_arlen, m_scan_arsize, m_scan_arburst,
-                    m_scan_rready} = 47'd0;
+            assign video_idle = 1'b1;
+            assign {m_scan_arvalid, m_scan_arid, m_scan_arlen, m_scan_arsize, m_scan_arburst,
+                    m_scan_arcache, m_scan_arprot, m_scan_arqos, m_scan_rready} = 31'd0;
+            assign m_scan_araddr = {ADDR{1'b0}};
             assign {m_video_tvalid, m_video_tdata, m_video_tuser, m_video_tlast, de_o, hsync_o,
                     vsync_o, tmds0_o, tmds1_o, tmds2_o} = 60'd0;
             wire unused_video = &{1'b0, m_scan_arready, m_scan_rvalid, m_scan_rdata, m_scan_rresp,
                                   m_scan_rlast, pix_clk, pix_rst, m_video_tready, video_take};
         end
     endgenerate
+
+    // ---- what an idle block still looks at ----
+    reg  was_q;                          // so that what happened is seen in registers
+    wire now = rst || core_active || s_axil_awvalid || s_axil_wvalid || s_axil_arvalid ||
+               control_busy || machine_busy || count_busy || status[`RT_TOP_STATUS_BUSY] ||
+               status[`RT_TOP_STATUS_DRAINING] || !read_idle || !write_idle || take_i ||
+               !video_idle;
+    assign active_o = now || was_q;
+    always @(posedge clk) was_q <= now;
 endmodule
 `default_nettype wire

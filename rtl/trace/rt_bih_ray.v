@@ -92,8 +92,8 @@ module rt_bih_ray #(
     wire [2:0]       flat;
     wire [3*WD-1:0]  mags;
     wire [BANKS-1:0] full;
-    wire             none  = &flat;          // no direction: must not wait for a top bit
-    wire             begun = state_q == WORK && place_q[1] && (a_q[NW-1] || none) && !(&full);
+    wire             none  = &flat;          // no direction: then a is 1, which has a top bit
+    wire             begun = state_q == WORK && place_q[1] && a_q[NW-1] && !(&full);
     wire [BANKS-1:0] take  = ~full & (full + 1'b1) & {BANKS{begun}};  // the lowest that is free
     assign load = (q_shadow_valid || q_new_valid) && (state_q == IDLE || begun);
     rt_slot_ram #(.WIDTH(3*W+5*WD), .SLOTS(SLOTS), .OLD(0)) u_ray (
@@ -120,7 +120,7 @@ module rt_bih_ray #(
             pixel_q <= !q_shadow_valid && q_new[0];
         end
         if (state_q == READ) begin
-            a_q     <= {{(NW-2*WD){1'b0}}, a};
+            a_q     <= {{(NW-2*WD){1'b0}}, a[2*WD-1:1], a[0] || none};
             zeros_q <= 8'sd0;
             place_q <= 2'd0;
         end else begin
@@ -157,7 +157,7 @@ module rt_bih_ray #(
             for (i = 0; i < 3; i = i + 1) begin : g_axis
                 rt_quotient #(.KW(DW), .AW(WD), .PQ(GW), .STEP(STEP)) u_quotient (
                     .clk(clk), .rst(rst), .in_valid_i(take[b]), .in_ready_o(idle[i]),
-                    .in_key_i({a_q[NW-1] || none, a_q[NW-2 -: DW-1]}),
+                    .in_key_i(a_q[NW-1 -: DW]),
                     .in_a_i(mags[WD*i +: WD]),
                     .out_valid_o(done[i]), .out_ready_i(give[3*b + i]),
                     .out_mant_o(axes[PW*i + 8 +: GW]), .out_exp_o(axes[PW*i +: 8])

@@ -1,9 +1,10 @@
 // rt_boxes.v - rays set up for planes, and the boxes of a node's four children against one of them
 // SPDX-License-Identifier: Apache-2.0
 // Stands in rt_traverse where rt_filter stands for spheres (BOXES of rt_core).
-//   1 node beside its ray | 2 planes on the grid | 3..11 four times rt_box
+// Shifts are those of a frame, once an axis; a plane of a child is a product and a sum.
+//   1 node beside its ray | 2..9 frame: rt_box_axis, three | 9..14 four times rt_box
 // `RT_BOXES_LATENCY clocks from node to result, a node a clock.
-// Model: sph_box_read() in cmodel/machine/box.c, sph_box_meets() in cmodel/trace/bih.c
+// Model: sph_box_axes(), sph_box_meets() in cmodel/trace/bih.c
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
@@ -14,7 +15,7 @@ module rt_boxes #(
     parameter WD    = 17,   // direction component, bits
     parameter SLOTS = 32,   // power of two
     parameter SHADOW = 1,   // 1: shadow rays
-    parameter BANKS = 2,    // rays that are divided at once
+    parameter BANKS = 4,    // rays that are divided at once
     parameter STEP  = 2     // bits of a reciprocal a clock
 ) (
     input  wire                     clk,
@@ -46,9 +47,8 @@ module rt_boxes #(
     localparam GW = `RT_BIH_G;
     localparam CW = W + 2;                          // coordinate of a plane
     localparam PW = GW + 7;                         // pace
-    localparam UP = W > `RT_FRAME_ORG_X_BITS ? W - `RT_FRAME_ORG_X_BITS : 0;
-    localparam MOST = (1 << `RT_FRAME_STEP_X_BITS) - 1 + `RT_BOX_LO_X_BITS;
-    localparam STEPS = W > MOST ? W - MOST : 0;     // added to every step
+    localparam XW = `RT_BOX_CROSS;
+    localparam SW = XW + 9;                         // T-words of a frame
 
     // ---- rays ----
     wire             place_valid, pace_valid;
@@ -107,34 +107,47 @@ module rt_boxes #(
         .clk(clk), .in_i(limit_i), .out_o(limit)
     );
 
-    // ---- planes on the grid ----
-    reg [3*CW-1:0]   t2_places_q;
-    reg [3*PW-1:0]   t2_paces_q;
-    always @(posedge clk) begin
-        t2_places_q <= t1_places;
-        t2_paces_q  <= t1_paces;
-    end
+    // ---- the frame along the ray ----
+    wire [3*SW-1:0]  enter, leave;
+    wire [2:0]       back, flat, open;
+    wire [3*XW-1:0]  step;
+    wire [3*XW+2:0]  more;
+    generate
+        for (k = 0; k < 3; k = k + 1) begin : g_axis
+            rt_box_axis #(.W(W)) u_axis (
+                .clk(clk),
+                .in_org_i(node_i[`RT_FRAME_ORG_X_LSB + 14*k +: 14]),
+                .in_step_i(node_i[`RT_FRAME_STEP_X_LSB + 4*k +: 4]),
+                .in_place_i(t1_places[CW*k +: CW]), .in_pace_i(t1_paces[PW*k +: PW]),
+                .out_enter_o(enter[SW*k +: SW]), .out_leave_o(leave[SW*k +: SW]),
+                .out_flat_o(flat[k]), .out_open_o(open[k]),
+                .step_o(step[XW*k +: XW]), .more_o(more[(XW+1)*k +: XW+1]), .back_o(back[k])
+            );
+        end
+    endgenerate
+
+    // ---- planes, counted from where the ray comes from ----
+    localparam BW = 4*`RT_BOX_STRIDE;
+    wire [BW-1:0]    t7_boxes;
+    rt_delay #(.WIDTH(BW), .CYCLES(6)) u_boxes (
+        .clk(clk), .in_i(node_i[BW-1:0]), .out_o(t7_boxes)
+    );
     generate
         for (c = 0; c < 4; c = c + 1) begin : g_child
-            wire [`RT_BOX_STRIDE-1:0] box = node_i[`RT_BOX_STRIDE*c +: `RT_BOX_STRIDE];
-            reg [3*CW-1:0] t2_lo_q, t2_hi_q;
+            wire [`RT_BOX_STRIDE-1:0] box = t7_boxes[`RT_BOX_STRIDE*c +: `RT_BOX_STRIDE];
+            reg [20:0] t8_near_q, t8_far_q;
             for (k = 0; k < 3; k = k + 1) begin : g_axis
-                wire [13:0]   org  = node_i[`RT_FRAME_ORG_X_LSB + 14*k +: 14];
-                wire [3:0]    step = node_i[`RT_FRAME_STEP_X_LSB + 4*k +: 4];
-                wire [6:0]    low  = box[`RT_BOX_LO_X_LSB + 7*k +: 7];
-                wire [6:0]    high = box[`RT_BOX_HI_X_LSB + 7*k +: 7];
-                wire [CW+13:0] from = {{CW{org[13]}}, org} << UP;
-                wire [CW+7:0] lo   = ({{(CW+1){1'b0}}, low} << step) << STEPS;
-                wire [CW+7:0] hi   = (({{(CW+1){1'b0}}, high} + 1'b1) << step) << STEPS;
+                wire [6:0] low  = box[`RT_BOX_LO_X_LSB + 7*k +: 7];
+                wire [6:0] high = box[`RT_BOX_HI_X_LSB + 7*k +: 7];
                 always @(posedge clk) begin
-                    t2_lo_q[CW*k +: CW] <= from[CW-1:0] + lo[CW-1:0];
-                    t2_hi_q[CW*k +: CW] <= from[CW-1:0] + hi[CW-1:0];
+                    t8_near_q[7*k +: 7] <= back[k] ? ~high : low;
+                    t8_far_q[7*k +: 7]  <= back[k] ? ~low : high;
                 end
-                wire unused = &{1'b0, from, lo, hi};
             end
-            rt_box #(.W(W)) u_box (
-                .clk(clk), .in_places_i(t2_places_q), .in_paces_i(t2_paces_q),
-                .in_lo_i(t2_lo_q), .in_hi_i(t2_hi_q), .in_limit_i(limit),
+            rt_box u_box (
+                .clk(clk), .in_near_i(t8_near_q), .in_far_i(t8_far_q),
+                .in_step_i(step), .in_more_i(more), .late_enter_i(enter), .late_leave_i(leave),
+                .late_flat_i(flat), .late_open_i(open), .in_limit_i(limit),
                 .out_pass_o(pass_o[c]), .out_near_o(near_o[16*c +: 15])
             );
             assign near_o[16*c + 15] = 1'b0;

@@ -7,5 +7,5 @@
 // clocks from a ray of rt_setup to its axes across, at most
 `define RT_ACROSS_BEHIND 12
 `define RT_BIH_STEP_LATENCY 5
-`define RT_BOXES_LATENCY 10
+`define RT_BOXES_LATENCY 13
 `endif

@@ -12,6 +12,7 @@ module rt_scan #(
     parameter DATA  = 64,                 // bits of a beat, 64 or 128
     parameter BURST = 16,                 // most beats of a burst, a power of two up to 4 KiB
     parameter DEPTH = 512,                // words of the queue, a power of two, over 2 BURST
+    parameter ADDR  = 32,                 // bits of an address, 32 to 40
     parameter CB    = $clog2(DEPTH) + 1   // bits of a count of words, derived: leave alone
 ) (
     input  wire        clk,
@@ -28,11 +29,11 @@ module rt_scan #(
     // to and from rt_frames
     output wire        take_o,            // which frame is the next?
     input  wire        show_valid_i,      // from the clock after: there is one
-    input  wire [31:0] show_base_i,       // its address, a multiple of 64
+    input  wire [ADDR-1:0] show_base_i,   // its address, a multiple of 64
     // AXI4 read
     output reg         m_scan_arvalid,
     input  wire        m_scan_arready,
-    output reg  [31:0] m_scan_araddr,
+    output reg  [ADDR-1:0] m_scan_araddr,
     output reg  [7:0]  m_scan_arlen,
     output wire [2:0]  m_scan_arsize,
     output wire [1:0]  m_scan_arburst,
@@ -42,6 +43,7 @@ module rt_scan #(
     input  wire [1:0]  m_scan_rresp,
     output wire        error_o,           // a beat came with SLVERR or DECERR
     output wire        stall_o,           // the bus owes something and does nothing
+    output wire        idle_o,            // it owes nothing
     // to the queue
     output wire        word_valid_o,
     output wire [DATA+1:0] word_data_o,
@@ -69,6 +71,7 @@ module rt_scan #(
     reg  [CB-1:0]   owed_q;               // beats on their way
     assign take_o = enable_i && frame_i != frame_q;
     wire idle     = owed_q == {CB{1'b0}} && !m_scan_arvalid;
+    assign idle_o = idle;
     reg  room_q;                          // for a burst, in the clock before, and no header since
     wire header   = begin_q && idle && room_q && !take_o && !forget_i && enable_i;
     always @(posedge clk) begin
@@ -86,8 +89,8 @@ module rt_scan #(
 
     // ---- bursts: one is put together while none waits, so that each has two clocks: in the one
     // its length and the room for it are found, in the other it is asked for ----
-    reg  [31:0] row_q;                    // address of this row
-    reg  [31:0] addr_q;                   // of the next beat
+    reg  [ADDR-1:0] row_q;                // address of this row
+    reg  [ADDR-1:0] addr_q;               // of the next beat
     reg  [12:0] left_q;                   // beats of this row to be asked for
     reg  [12:0] rows_q;                   // rows of the display to come, with this one
     reg         again_q;                  // double_i: this row was read once
@@ -100,7 +103,7 @@ module rt_scan #(
     wire [LB:0] length = short ? left_q[LB:0] : to_end;
     reg  [LB:0] length_q;
     reg         short_q;                  // the burst is the last of its row
-    wire [31:0] below  = row_q + {16'd0, stride_i};
+    wire [ADDR-1:0] below = row_q + {{(ADDR-16){1'b0}}, stride_i};
     wire        repeats = double_i && !again_q;
     assign m_scan_arsize  = BB[2:0];
     assign m_scan_arburst = 2'b01;        // INCR
@@ -113,7 +116,7 @@ module rt_scan #(
             m_scan_arvalid <= 1'b1;
             m_scan_araddr  <= addr_q;
             m_scan_arlen   <= {{(7-LB){1'b0}}, length_q} - 8'd1;
-            addr_q         <= addr_q + ({{(31-LB){1'b0}}, length_q} << BB);
+            addr_q         <= addr_q + ({{(ADDR-1-LB){1'b0}}, length_q} << BB);
             left_q         <= left_q - {{(12-LB){1'b0}}, length_q};
             if (short_q) begin
                 addr_q  <= repeats ? row_q : below;

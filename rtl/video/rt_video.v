@@ -11,7 +11,8 @@
 module rt_video #(
     parameter DATA  = 64,                 // bits of a beat, 64 or 128
     parameter BURST = 16,                 // most beats of a burst, a power of two up to 4 KiB
-    parameter DEPTH = 512                 // words of the queue to the display, a power of two
+    parameter DEPTH = 512,                // words of the queue to the display, a power of two
+    parameter ADDR  = 32                  // bits of an address, 32 to 40
 ) (
     input  wire        clk,
     input  wire        rst,               // synchronous, active high; of the bus, too
@@ -24,15 +25,16 @@ module rt_video #(
     // to and from rt_frames
     output wire        take_o,            // vertical blanking begins: which frame is the next?
     input  wire        show_valid_i,      // from the clock after, until the next: there is one
-    input  wire [31:0] show_base_i,       // its address, a multiple of 64
+    input  wire [ADDR-1:0] show_base_i,   // its address, a multiple of 64
     output wire        blank_o,           // vertical blanking, or off
     output wire        underrun_o,        // one clock for a frame that missed a pixel
     output wire        error_o,           // one clock for a beat with SLVERR or DECERR
     output wire        stall_o,           // the bus owes something and does nothing
+    output wire        idle_o,            // off, and all is seen that clk hears of the display
     // AXI4 read
     output wire        m_scan_arvalid,
     input  wire        m_scan_arready,
-    output wire [31:0] m_scan_araddr,
+    output wire [ADDR-1:0] m_scan_araddr,
     output wire [7:0]  m_scan_arlen,
     output wire [2:0]  m_scan_arsize,
     output wire [1:0]  m_scan_arburst,
@@ -77,6 +79,8 @@ module rt_video #(
         if (!on_q && !shows_s) mode_q <= mode_i;
         if (clk_rst) on_q <= 1'b0;
     end
+    wire scan_idle;
+    assign idle_o = !clk_rst && !enable_i && !on_q && !leave_q && !shows_s && scan_idle;
     rt_sync u_on (.clk(pix_clk), .d_i(on_q), .q_o(on_s));
 
     // ---- timing ----
@@ -106,7 +110,7 @@ module rt_video #(
     wire [DATA+1:0] put, word;
     wire [CB-1:0]   count;
     wire [23:0]     rgb;
-    rt_scan #(.DATA(DATA), .BURST(BURST), .DEPTH(DEPTH)) u_scan (
+    rt_scan #(.DATA(DATA), .BURST(BURST), .DEPTH(DEPTH), .ADDR(ADDR)) u_scan (
         .clk(clk), .rst(rst), .enable_i(on_q && !leave), // rst: memory owes beats after pix_rst
         .forget_i(forget_i), .h_active_i(mode_q[`RT_MODE_H_ACTIVE]),
         .v_active_i(mode_q[`RT_MODE_V_ACTIVE]), .rgb565_i(format_i), .double_i(double_i),
@@ -117,7 +121,8 @@ module rt_video #(
         .m_scan_arsize(m_scan_arsize), .m_scan_arburst(m_scan_arburst),
         .m_scan_rvalid(m_scan_rvalid), .m_scan_rready(m_scan_rready),
         .m_scan_rdata(m_scan_rdata), .m_scan_rresp(m_scan_rresp), .error_o(error_o),
-        .stall_o(stall_o), .word_valid_o(put_valid), .word_data_o(put), .word_count_i(count)
+        .stall_o(stall_o), .idle_o(scan_idle), .word_valid_o(put_valid), .word_data_o(put),
+        .word_count_i(count)
     );
     rt_async_fifo #(.WIDTH(DATA + 2), .DEPTH(DEPTH)) u_words (
         .wr_clk(clk), .wr_rst(clk_rst), .wr_valid_i(put_valid), .wr_ready_o(put_ready),

@@ -93,7 +93,7 @@ class Board {
             bytes[i] = (uint8_t)(value >> 8 * i);
         put(user, 1u << 31 | offset, bytes, 4);
     }
-    static void put(void *user, uint32_t address, const uint8_t *bytes, uint32_t count) {
+    static void put(void *user, uint64_t address, const uint8_t *bytes, uint32_t count) {
         Board &b = *(Board *)user;
         for (uint32_t n; count && !b.deaf; bytes += n, address += n, count -= n) {
             n = count < 256 ? count : 256;

@@ -7,7 +7,8 @@
 #include <cstdio>
 
 #include "outcome.h"
-#include "refuse.h"
+#include "report.h"
+
 extern "C" {
 #include "pixel/walk.h"
 }
@@ -173,6 +174,13 @@ void compare_totals(const Outcome &c, int pass, Verdict &v) {
 }
 
 void compare_expected(const Options &o, const Outcome &c, Verdict &v) {
+    const uint32_t camera = 1u << SPH_ERROR_LEFT_OUT; /* the only refusal that the model knows */
+    const uint32_t errors = c.run->pass[COLD].errors;
+    if (!(errors & REFUSED & ~camera) && (c.model_errors ^ errors) & camera) {
+        v.mismatches++;
+        v.text += line("error bit %s: model 0x%x, core 0x%x", error_names[SPH_ERROR_LEFT_OUT],
+                       c.model_errors, errors);
+    }
     if (o.expect_errors < 0) return;
     auto missing = static_cast<uint32_t>(o.expect_errors) & ~c.run->pass[COLD].errors;
     for (int i = 0; i < SPH_ERRORS; i++)
@@ -207,4 +215,65 @@ Verdict compare(const Options &o, const sph_machine &machine, const Outcome &c) 
     if (v.mismatches && v.repeat.empty()) v.repeat = repeat_command(o, c.window);
     if (v.mismatches) v.text += "repeat: " + v.repeat + "\n";
     return v;
+}
+
+/* ---- the stages of one pixel, line by line; see outcome.h ---- */
+
+namespace {
+
+std::string text(const sph_machine &m, const sph_stage_line &line) {
+    char said[SPH_STAGE_TEXT];
+    sph_stages_text(&m, &line, said);
+    return said;
+}
+
+/* What the core delivered. */
+sph_stages whole(const Options &o, const Outcome &c) {
+    sph_stages stages = c.stages;
+    const size_t at = static_cast<size_t>(o.pixel[1]) * static_cast<size_t>(c.model_frame.width) +
+                      static_cast<size_t>(o.pixel[0]);
+    const Sample &sample = c.samples[COLD][at];
+    if (sample.times) sph_stages_pixel(&stages, &sample.pixel);
+    sph_stages_sort(&stages);
+    return stages;
+}
+
+} // namespace
+
+void compare_stages(const Options &o, const sph_machine &machine, const Outcome &c, Verdict &v) {
+    sph_stages model = c.model_stages, core = whole(o, c);
+    sph_stages_sort(&model);
+    const std::string pixel = std::to_string(o.pixel[0]) + "," + std::to_string(o.pixel[1]);
+    std::string first;
+    int equal = 0, alone = 0;
+    for (int i = 0, j = 0; i < model.n || j < core.n;) {
+        const int order = i == model.n  ? 1
+                          : j == core.n ? -1
+                                        : sph_stages_order(&model.lines[i], &core.lines[j]);
+        const std::string a = order <= 0 ? text(machine, model.lines[i]) : "",
+                          b = order >= 0 ? text(machine, core.lines[j]) : "";
+        const bool shown = order > 0 || c.run->stages_shown >> model.lines[i].stage & 1;
+        const std::string clock =
+            order >= 0 ? "  clock " + std::to_string(core.lines[j].clock) : "";
+        i += order <= 0;
+        j += order >= 0;
+        if (a == b || !shown) {
+            v.stages += a + (shown ? clock : "  (model only)") + "\n";
+            equal += shown;
+            alone += !shown;
+            continue;
+        }
+        const std::string both = "  model: " + (a.empty() ? "no such line" : a) +
+                                 "\n  core:  " + (b.empty() ? "no such line" : b) + "\n";
+        v.stages += both;
+        if (first.empty()) first = both;
+    }
+    if (model.full || core.full) first += "  no memory for all lines\n";
+    if (first.empty()) {
+        v.stages += std::to_string(equal) + " lines of pixel " + pixel + ": model and RTL agree" +
+                    (alone ? ", " + std::to_string(alone) + " are the model's alone" : "") + "\n";
+        return;
+    }
+    v.mismatches++;
+    v.text += "stages of pixel " + pixel + ", the first that differs:\n" + first;
 }

@@ -208,6 +208,7 @@ void spoil_registers(sph_machine &m, Random &random) {
         }
     }
     m.regs[SPH_REG_VISIT_LIMIT] = any(random, 0, FEW_VISITS);
+    m.regs[SPH_REG_EFFECTS] &= ~(1 << SPH_EFFECT_CAMERA); /* it would be refused */
 }
 
 void pile_up(sph_machine &m, uint32_t free, int depth) {

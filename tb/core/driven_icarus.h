@@ -1,4 +1,4 @@
-/* driven_icarus.h - the core in Icarus, a clock at a time; see port_host.h, icarus_pins.vh
+/* driven_icarus.h - the core in Icarus, a clock at a time; see host.h, icarus_pins.vh
  * SPDX-License-Identifier: Apache-2.0
  *
  * vvp reads a line of inputs and writes a line of outputs each clock, through two pipes. Unknown
@@ -17,7 +17,7 @@
 #include <cstdio>
 #include <cstring>
 
-#include "port_host.h"
+#include "host.h"
 #include "words.h"
 
 class DrivenIcarus : public PortHost {

@@ -37,6 +37,7 @@
     E(BLOCKED, "no pixel taken for long")                                                          \
     E(REFUSED_EFFECT, "refused: a missing effect")                                                 \
     E(REFUSED_PROFILE, "refused: another profile")                                                 \
+    E(REFUSED_CAMERA, "refused: another camera")                                                   \
     E(REFUSED_ERROR, "refused: behind a frame with an error")                                      \
     E(EMPTY, "a window without a pixel")                                                           \
     E(ONE_PIXEL, "a window of one pixel")                                                          \

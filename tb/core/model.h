@@ -10,6 +10,7 @@ extern "C" {
 #include "core/frame.h"
 #include "core/stages.h"
 
+#include "machine/camera.h"
 #include "machine/machine.h"
 #include "machine/parts.h"
 #include "render/render.h"

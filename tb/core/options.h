@@ -41,7 +41,7 @@ struct Options {
     bool gated = false;            /* the clock stands still while the core does not ask for it */
     int64_t reset_at = -1;         /* the frame is first begun, and cut off in this clock, from 0 */
     int reset_for = 1;             /* by a reset of so many clocks */
-    bool life = false;             /* all that a host may do, instead of one frame: see life.h */
+    bool life = false;             /* all that a host may do, instead of one frame: see player.h */
     std::vector<std::string> then; /* --life: other machines */
     int64_t cuts = 0;              /* --life: frames cut off, in random clocks; 0: in each clock */
     int64_t trials = 0;            /* --life: trials instead, see trials.h */

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "host.h"
+#include "options.h"
+#include "simulate.h"
 
 /* A machine and what the model makes of it. */
 struct Scene {
@@ -76,5 +78,14 @@ class Player {
     int first_ = 0;       /* counter that is read in the clock in which busy_o falls */
     bool written_ = true; /* all registers */
 };
+
+/* ---- many frames of one core, one behind the other, each compared ---- */
+/* Frames of two machines follow each other without a reset; then one frame after the other is cut
+ * off by a reset, mostly of one clock, and the frame behind it must be whole. Registers are written
+ * once a machine. A reset takes memory along, or lasts until memory has given all that it owes. */
+
+/* Says in run.failure what went wrong first. 0, 1 if something did, or 2, with a reason, if it
+ * cannot be done: --then cannot be read, or the simulator cannot be driven so. */
+int live(const Options &o, const sph_machine &machine, Run &run, std::string &error);
 
 #endif

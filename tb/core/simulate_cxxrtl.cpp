@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core.cpp"
-#include "port_host.h"
+#include "host.h"
 
 const char *const simulator_name = "cxxrtl";
 

@@ -8,7 +8,7 @@
  */
 #include "netlist/netlist.h"
 
-#include "port_host.h"
+#include "host.h"
 
 #include <cinttypes>
 #include <cstdio>

@@ -4,7 +4,7 @@
 #ifndef TB_STAGES_TRACE_H
 #define TB_STAGES_TRACE_H
 
-#include "stages_followed.h"
+#include "stages_shade.h"
 
 // ---- slots: the pixel comes, its rays are done, it leaves ----
 
@@ -94,20 +94,15 @@ class Traverse : public Watch {
         for (size_t i = 0; i < 4; i++) {
             const std::string n = "[" + std::to_string(i) + "]";
             const Place lane = places.at(spheres.path + ".g_lane" + n + ".u_filter");
-            const Place box = places.at(p.path + ".g_boxes.u_boxes.g_child" + n);
             p_[i] = lane["s6_p_q"], q_[i] = lane["s6_q_q"];
-            lo_[i] = box["t2_lo_q"], hi_[i] = box["t2_hi_q"];
         }
     }
-    bool boxes() const { return static_cast<bool>(lo_[0]); }
+    bool boxes() const { return !p_[0]; }
     void clock() override {
         if (issue_.bit() && !kill_.bit() && mine(issue_slot_)) line_ = issue_line_.word();
         age_++;
         if (node_valid_.bit() && !node_kill_.bit() && mine(node_slot_)) visit();
         for (size_t i = 0; visiting_ && i < 4; i++) {
-            if (age_ == 1 && boxes())
-                three(words_[i], 0, lo_[i], 0, lo_[i].bits()),
-                    three(words_[i], 3, hi_[i], 0, hi_[i].bits());
             if (age_ == 6 && !boxes()) words_[i][4] = p_[i].word(), words_[i][5] = q_[i].word();
         }
         if (visiting_ && filtered_.bit() && mine(filtered_slot_)) filtered();
@@ -128,6 +123,10 @@ class Traverse : public Watch {
             Words &words = words_[static_cast<size_t>(i)] = {};
             const int at = SPH_CHILD_STRIDE * i;
             if (boxes()) {
+                for (size_t k = 0; k < 6; k++) /* lo, then hi */
+                    words[k] = static_cast<sph_i128>(
+                        node_.get(SPH_BOX_STRIDE * i + SPH_BOX_LO_X_BITS * static_cast<int>(k),
+                                  SPH_BOX_LO_X_BITS));
                 words[7] = limit_.word();
                 continue;
             }
@@ -157,7 +156,7 @@ class Traverse : public Watch {
     }
     Shown issue_, issue_slot_, kill_, issue_line_, node_valid_, node_slot_, node_kill_, node_,
         limit_, filtered_, filtered_slot_, killed_, pass_, near_, org_, axis_, negative_, across_;
-    std::array<Shown, 4> p_, q_, lo_, hi_;
+    std::array<Shown, 4> p_, q_;
     uint32_t line_ = 0;
     bool visiting_ = false;
     int age_ = 0; /* clocks since the node came */

@@ -12,7 +12,7 @@
 
 #include "child.h"
 #include "dram.h"
-#include "life.h"
+#include "player.h"
 #include "report.h"
 
 namespace {

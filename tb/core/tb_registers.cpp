@@ -4,10 +4,14 @@
  * All registers are written once, then any word goes to any address, some of no register; after
  * each clock every output is compared. A vector is a clock.
  */
+#include <algorithm>
+
 #include "Vrt_registers.h"
 #include "bench.h"
 #include "bundles.h"
-#include "machine/layout.h"
+extern "C" {
+#include "machine/camera.h"
+}
 
 #ifndef TEXTURE
 #define TEXTURE 0
@@ -21,6 +25,9 @@
 #ifndef TURNED
 #define TURNED 0
 #endif
+#ifndef CAMERA
+#define CAMERA 0
+#endif
 
 namespace {
 
@@ -33,6 +40,7 @@ class Registers : public bench::Bench<Vrt_registers> {
     void write(int address, bool valid) {
         uint32_t word = (uint32_t)random.bits(32);
         if (address == SPH_REG_TREE && random.percent(80)) word = (uint32_t)random.below(8);
+        if (address == SPH_REG_ONE_CAMERA && random.percent(80)) word = sum;
         dut.valid_i = valid;
         dut.addr_i = (uint8_t)address;
         dut.data_i = word;
@@ -64,13 +72,27 @@ class Registers : public bench::Bench<Vrt_registers> {
         uint32_t tree = written[SPH_REG_TREE] & 7;
         expect("bih_o", dut.bih_o, tree == SPH_TREE_BIH || tree == SPH_TREE_BRUTE);
         expect("boxes_o", dut.boxes_o, tree == SPH_TREE_BOX4);
+        camera();
         axes();
         if (bad()) show("addr_i", dut.addr_i, 7), show("data_i", dut.data_i, 32);
         done();
     }
 
   private:
-    uint32_t written[ADDRESSES] = {};
+    uint32_t written[ADDRESSES] = {}, sum = 0;
+
+    /* Whether the camera is another one; often its sum is the register. */
+    void camera() {
+        sph_machine m{};
+        std::copy(written, written + SPH_N_REGS, m.regs);
+        m.profile.w = W, m.profile.wd = WD;
+        if (!TURNED) {
+            m.regs[SPH_REG_EFFECTS] &= ~(1 << SPH_EFFECT_TURNED);
+            std::fill(m.regs + SPH_REG_ACROSS_X, m.regs + SPH_REG_DOWN_Z + 1, 0);
+        }
+        sum = (uint32_t)sph_camera_sum(&m);
+        expect("strayed_o", dut.strayed_o, CAMERA && sph_camera_strayed(&m));
+    }
 
     /* An output of `count` registers one behind the other; 0 if they are not built. */
     template <class Port>

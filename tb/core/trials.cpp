@@ -8,7 +8,6 @@
 #include <string>
 
 #include "damage.h"
-#include "trials_class.h"
 
 namespace {
 

@@ -2,8 +2,8 @@
  * SPDX-License-Identifier: Apache-2.0
  */
 #include "damage.h"
-#include "refuse.h"
-#include "trials_class.h"
+#include "report.h"
+#include "trials.h"
 
 void Trials::refused() {
     const uint32_t effect = 1u << SPH_ERROR_MISSING_EFFECT, profile = 1u << SPH_ERROR_WRONG_PROFILE;
@@ -39,6 +39,13 @@ void Trials::refused() {
         r[SPH_REG_PROFILE] ^= static_cast<int32_t>(1u << random_.below(32));
         errors |= profile;
         met(REFUSED_PROFILE);
+    }
+    if (o_.built.find("CAMERA=1") != std::string::npos && random_.percent(40)) {
+        r[SPH_REG_EFFECTS] |= 1 << SPH_EFFECT_CAMERA;
+        r[SPH_REG_ONE_CAMERA] = sph_camera_sum(&other.machine);
+        r[random_.percent(30) ? SPH_REG_ONE_CAMERA : SPH_REG_EYE_X + pick(7)] ^= 1 << pick(12);
+        errors |= 1u << SPH_ERROR_LEFT_OUT;
+        met(REFUSED_CAMERA);
     }
     memory(other.machine);
     player_.refuses(errors, "a machine to be refused");

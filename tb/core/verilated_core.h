@@ -12,7 +12,7 @@
 #include <cstring>
 
 #include "Vrt_core.h"
-#include "port_host.h"
+#include "host.h"
 #include "silence.h"
 #include "stage_watch.h"
 #include "texture_watch.h"

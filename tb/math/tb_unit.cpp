@@ -5,7 +5,7 @@
  */
 #include <deque>
 #include "bench.h"
-#include "hard_cases.h"
+#include "hard.h"
 #ifdef FOUR
 #include "Vrt_unit_four.h"
 using Unit = Vrt_unit_four;

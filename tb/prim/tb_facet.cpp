@@ -12,9 +12,9 @@
 
 #include "Vrt_facet.h"
 #include "bundles.h"
-#include "hard_cases.h"
+#include "hard.h"
 extern "C" {
-#include "tests/hard/facet_list.h"
+#include "tests/hard/list.h"
 #include "prim/facet.h"
 }
 

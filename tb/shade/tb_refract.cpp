@@ -8,7 +8,7 @@
 
 #include "Vrt_refract.h"
 #include "bench.h"
-#include "hard_cases.h"
+#include "hard.h"
 
 extern "C" {
 #include "machine/layout.h"

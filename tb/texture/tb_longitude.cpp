@@ -5,7 +5,7 @@
  */
 #include "Vrt_longitude.h"
 #include "bench.h"
-#include "hard_cases.h"
+#include "hard.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
  */
 #include "Vrt_texel_filter.h"
 #include "bench.h"
-#include "hard_cases.h"
+#include "hard.h"
 extern "C" {
 #include "texture/texel.h"
 }

@@ -36,14 +36,14 @@ class Channel {
     std::string broken;          /* the first rule that was broken */
     bool in_reset = false;       /* the bus takes and gives nothing, and looks at nothing */
     uint64_t silent = 0;         /* clocks up to now in which it owed something and did nothing */
-    std::vector<uint32_t> above; /* address bits 31..26 that bursts may have; none: any */
+    std::vector<uint64_t> above; /* address bits from 26 up that bursts may have; none: any */
 
     void stable(const char *name, unsigned which, bool valid, bool ready, uint64_t payload) {
         Held &h = held_[which];
         if (h.waits && (!valid || payload != h.payload)) fault(name, "changed before ready");
         h = {valid && !ready, payload};
     }
-    void burst(const char *name, uint32_t address, unsigned beats, unsigned bytes) {
+    void burst(const char *name, uint64_t address, unsigned beats, unsigned bytes) {
         if ((address & 0xfff) + beats * bytes > 0x1000) fault(name, "crosses 4 KiB");
         if (address % bytes) fault(name, "is not aligned to a beat");
         if (!above.empty() && std::find(above.begin(), above.end(), address >> 26) == above.end())
@@ -132,7 +132,7 @@ class ReadSide : public Channel {
         const bool moves = t.rvalid || (t.arvalid && t.arready);
         silent = (t.arvalid || !queue_.empty()) && !moves ? silent + 1 : 0;
         stable("AR", 0, t.arvalid, t.arready,
-               (uint64_t)t.arid << 40 | (uint64_t)t.araddr << 8 | t.arlen);
+               (uint64_t)t.arid << 56 | (uint64_t)t.araddr << 8 | t.arlen);
         if (t.arvalid && t.arready) {
             unsigned beats = t.arlen + 1u;
             burst("AR", t.araddr, beats, sizeof t.rdata);
@@ -157,7 +157,7 @@ class ReadSide : public Channel {
   private:
     struct Burst {
         uint8_t id;
-        uint32_t address;
+        uint64_t address;
         unsigned beats, sent;
         uint64_t due;
         bool never;
@@ -182,7 +182,7 @@ class WriteSide : public Channel {
   public:
     Manner manner;
     uint64_t requests = 0, answers = 0, beats = 0;
-    std::map<uint32_t, uint8_t> *log = nullptr; /* takes what is written, in place of memory */
+    std::map<uint64_t, uint8_t> *log = nullptr; /* takes what is written, in place of memory */
 
     WriteSide(std::vector<uint8_t> &bytes, bench::Random &random)
         : bytes_(bytes), random_(random) {}
@@ -242,7 +242,7 @@ class WriteSide : public Channel {
 
   private:
     struct Address {
-        uint32_t address;
+        uint64_t address;
         unsigned beats;
     };
     struct Beat {

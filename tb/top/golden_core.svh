@@ -18,13 +18,16 @@
     reg        bad_q, pix_valid_q;
     reg [2:0]  wait_q;
     reg [47:0] count_q;
+    reg        busy_q;
+    reg [4:0]  count_addr_q;
     // request n has tag n % TAGS; this is the one whose beat comes
     wire [31:0] tag  = 32'(mem_rsp_tag_i) % TAGS;
     wire [31:0] beat = tag_beats_q[tag];
     wire [31:0] of   = tag + TAGS * (beat / BEATS);
     int        x, y, rendering, l1, l2, chosen;
     assign busy_o          = state_q != IDLE;
-    assign active_o        = 1'b1;
+    assign active_o        = rst || busy_o || busy_q || start_i || cfg_valid_i ||
+                             count_addr_i != count_addr_q;
     assign mem_req_valid_o = state_q == READ && asked_q != 2 * lines_q &&
                              BEATS * asked_q - beats_q < BEATS * MEM_DATA;
     assign mem_req_tag_o   = `RT_TAG_BITS'(asked_q % TAGS);
@@ -42,6 +45,8 @@
     assign count_data_o    = count_q;
     always @(posedge clk) begin
         count_q <= 48'(golden_count(32'(count_addr_i)));
+        busy_q  <= busy_o;
+        count_addr_q <= count_addr_i;
         wait_q  <= wait_q == 6 ? 0 : wait_q + 1'b1;
         if (mem_rsp_valid_i && (mem_rsp_tag_i >= TAGS || of >= asked_q) && state_q == READ) begin
             $display("not ok - an answer that nobody asked for");

@@ -22,11 +22,11 @@ static const uint32_t HALF[2] = {0, 0x01000000};
 static const char *const LAYERS[SPH_FRAMES] = {"rendering", "l1", "l2"};
 
 /* Memory as a processor writes it: a beat in each clock. */
-static void put(void *user, uint32_t address, const uint8_t *from, uint32_t count) {
+static void put(void *user, uint64_t address, const uint8_t *from, uint32_t count) {
     auto &top = *static_cast<TopHost *>(user);
     for (uint32_t at = 0; at < count; at += DATA / 8) {
         uint32_t n = count - at < DATA / 8 ? count - at : DATA / 8;
-        memcpy(&top.bytes[address + at], from + at, n);
+        memcpy(&top.bytes[(address + at) % TopHost::MEMORY], from + at, n);
         top.clock();
     }
 }
@@ -39,13 +39,13 @@ static uint8_t seen(uint32_t byte) {
 }
 
 /* A frame of the store, as a picture. */
-static bool picture(Checks &c, const sph_frame &size, uint32_t store, const std::string &path) {
+static bool picture(Checks &c, const sph_frame &size, uint64_t store, const std::string &path) {
     FILE *to = fopen(path.c_str(), "wb");
     if (!to) return false;
     fprintf(to, "P6 %d %d 255\n", size.width, size.height);
     for (int y = 0; y < size.height; y++)
         for (int x = 0; x < size.width; x++) {
-            const uint8_t *p = &c.top.bytes[store + (uint32_t)y * c.stride];
+            const uint8_t *p = &c.top.bytes[(store + (uint32_t)y * c.stride) % TopHost::MEMORY];
             for (int channel = 2; channel >= 0; channel--)
                 fputc(seen(p[4 * x + channel]), to);
         }

@@ -69,12 +69,12 @@ static void scripted(Checks &c, const Golden &any) {
     c.load(any, SCENE_A);
     core.scripted = true;
     for (int i = 0; i < 12; i++) {
-        std::map<uint32_t, uint8_t> wanted, written;
+        std::map<uint64_t, uint8_t> wanted, written;
         const unsigned mux = (unsigned)t.random.below(4);
         const bool half = t.random.percent(50);
-        uint32_t frames[3];
-        for (uint32_t &frame : frames)
-            frame = (uint32_t)t.random.next() & SPHAERA_FRAME0_PLACE;
+        uint64_t frames[3];
+        for (uint64_t &frame : frames)
+            frame = t.random.next() & ADDRESSES & ~63ull;
         const uint32_t stride = 32 * (uint32_t)t.random.below(2048);
         core.script = pixels(t.random);
         core.errors = i & 1 ? 0 : (int)t.random.below(64);
@@ -93,21 +93,21 @@ static void scripted(Checks &c, const Golden &any) {
                  core.errors ? SPHAERA_FAILED : SPHAERA_OK);
         t.frame.log = nullptr;
         Groups groups;
-        const uint32_t base = frames[c.drawn()];
-        const auto put = [&](uint32_t start, const Pixel &p, unsigned which) {
+        const uint64_t base = frames[c.drawn()];
+        const auto put = [&](uint64_t start, const Pixel &p, unsigned which) {
             const uint32_t colour = (uint32_t)p.colour[which];
             const uint32_t red = colour & 255, green = colour >> 8 & 255, blue = colour >> 16;
             uint32_t value = half ? (red >> 3) << 11 | (green >> 2) << 5 | blue >> 3
                                   : red << 16 | green << 8 | blue;
-            uint32_t at = start + (uint32_t)p.y * stride + (uint32_t)p.x * (half ? 2 : 4);
+            uint64_t at = start + (uint64_t)p.y * stride + (uint32_t)p.x * (half ? 2 : 4);
             for (int k = 0; k < (half ? 2 : 4); k++, value >>= 8)
-                wanted[at++] = (uint8_t)value;
+                wanted[at++ & ADDRESSES] = (uint8_t)value;
         };
         for (const Pixel &p : core.script) {
             groups.put(p);
             if (!c.layers) put(base, p, (mux + 3) % 4);
             for (unsigned layer = 0; c.layers && layer < SPH_FRAMES; layer++)
-                put(base + layer * apart, p, layer);
+                put(base + (uint64_t)layer * apart, p, layer);
         }
         groups.flush();
         const uint64_t times = c.layers ? SPH_FRAMES : 1;

@@ -70,6 +70,9 @@ module tb_show_icarus;
     wire        awready, wready, bvalid, irq;
     wire [9:0]  blue, green, red;
     rt_top #(.DATA(64), .VIDEO(1), .LAYERS(`LAYERS), `CORE_PARAMETERS) u_top (
+        .m_scene_arcache(), .m_scene_arprot(), .m_scene_arqos(), .m_frame_awid(),
+        .m_frame_awcache(), .m_frame_awprot(), .m_frame_awqos(), .m_scan_arid(),
+        .m_scan_arcache(), .m_scan_arprot(), .m_scan_arqos(), .active_o(),
         .clk(clk), .rst(rst), .irq_o(irq), .s_axil_awvalid(awvalid), .s_axil_awready(awready),
         .s_axil_awaddr(awaddr), .s_axil_wvalid(wvalid), .s_axil_wready(wready),
         .s_axil_wdata(wdata), .s_axil_wstrb(4'hf), .s_axil_bvalid(bvalid), .s_axil_bready(1'b1),

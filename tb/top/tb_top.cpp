@@ -32,9 +32,11 @@ static void settings(Checks &c) {
                {0x068, 0x1fff1fff},
                {0x06c, 0x1fff1fff},
                {0x070, 0x1fff1fff},
-               {0x074, c.layers ? 0xffffffc0 : 0}};
+               /* the last ones are there by parameters */
+               {ADDR > 32 ? 0x078u : 0x074u, ADDR > 32 ? 0xffffffff : 0xffffffc0},
+               {0x074, 0xffffffc0}};
     TopHost &t = c.top;
-    const size_t count = std::size(all) - !c.layers;
+    const size_t count = std::size(all) - (ADDR > 32 ? !c.layers : 1 + !c.layers);
     uint32_t first[std::size(all)], copy[std::size(all)];
     t.stall = 40;
     t.reset();
@@ -68,8 +70,9 @@ static void fixed(Checks &c, const Golden &a) {
         {SPHAERA_CORE_PROFILE, (uint32_t)a.machine.regs[SPH_REG_PROFILE]},
         {SPHAERA_CORE_EFFECTS, t.driver.effects},
         {SPHAERA_CORE_PARTS, t.driver.parts},
-        {SPHAERA_CORE_BUS,
-         DATA | SPHAERA_CORE_BUS_VIDEO | (c.layers ? SPHAERA_CORE_BUS_LAYERS : 0)},
+        {SPHAERA_CORE_BUS, DATA | SPHAERA_CORE_BUS_VIDEO |
+                               (c.layers ? SPHAERA_CORE_BUS_LAYERS : 0) |
+                               (uint32_t)ADDR << SPHAERA_CORE_BUS_ADDR_LSB},
         {SPHAERA_CONTROL, 0},
         {SPHAERA_STATUS, SPHAERA_STATUS_BLANK},
         {SPHAERA_FRAME_COUNT, 0},
@@ -120,8 +123,10 @@ static void registers(Checks &c, const Golden &a) {
     c.equals("low bits of an address", t.read(SPHAERA_FRAME1), SPHAERA_FRAME1_PLACE);
     c.store(c.stride, c.rgb565);
     const uint32_t behind = SPHAERA_MACHINE + 4 * SPHAERA_MACHINE_REGISTERS;
-    for (uint32_t offset : {0x18u, 0x1cu, 0x3cu, 0x74u, 0x78u, behind, 0x3fcu, 0x548u, 0xffcu}) {
+    for (uint32_t offset :
+         {0x18u, 0x1cu, 0x3cu, 0x74u, 0x78u, 0x7cu, behind, 0x3fcu, 0x548u, 0xffcu}) {
         if (offset == SPHAERA_LAYER_BYTES && c.layers) continue;
+        if (offset == SPHAERA_ADDRESS_HIGH && ADDR > 32) continue;
         c.equals("no register reads 0", t.read(offset), 0);
         c.equals("and answers SLVERR", (uint64_t)t.response, SLVERR);
         t.write(offset, 0xffffffff);
@@ -225,16 +230,16 @@ static void counters(Checks &c, const Golden &a) {
     c.done("counters");
 }
 
-/* Scene and frames anywhere in 4 GB: all bits of addresses are what they should be. */
+/* Scene and frames anywhere, each in 4 GB: all bits of addresses are what they should be. */
 static void far(Checks &c, const Golden &a, const Golden &b) {
     TopHost &t = c.top;
     for (int i = 0; i < 6; i++) {
         const uint32_t scene = (uint32_t)t.random.next() & 0xfdeff000;
-        t.scene.above = {scene >> 26};
+        t.scene.above = {(HIGH_SCENE + scene) >> 26};
         t.frame.above.clear();
         for (uint32_t k = 0; k < 3; k++) {
             const uint32_t free = i & 2 ? 0xfc7effc0 : 0xfc77ffc0; /* there is room behind it */
-            c.stores[k] = ((uint32_t)t.random.next() & free) + STORE + k * 0x800000;
+            c.stores[k] = HIGH[k] + ((uint32_t)t.random.next() & free) + STORE + k * 0x800000;
             t.frame.above.push_back(c.stores[k] >> 26);
         }
         c.store(2560 + 32 * (uint32_t)t.random.below(8), i & 1);
@@ -247,9 +252,9 @@ static void far(Checks &c, const Golden &a, const Golden &b) {
     t.scene.above.clear();
     t.frame.above.clear();
     for (uint32_t k = 0; k < 3; k++)
-        c.stores[k] = STORE + k * APART;
+        c.stores[k] = HIGH[k] + STORE + k * APART;
     c.store(2560, 0);
-    c.done("scene and frames anywhere in 4 GB");
+    c.done("scene and frames anywhere, each in 4 GB");
 }
 
 static void busy(Checks &c, const Golden &a, const Golden &b) {
@@ -294,11 +299,19 @@ static void store(Checks &c, const Golden &a) {
         c.equals("frame done", sphaera_handle(&t.driver), SPHAERA_INTERRUPTS_FRAME_DONE);
         if (i % 3 == 0) continue;
         unsigned newest = c.newest();
-        c.equals("take", (uint64_t)sphaera_take(&t.driver, &shown), SPHAERA_OK);
+        if (i % 2) { /* by the port: then TAKE would show the same again */
+            t.clocks(4);
+            t.dut.take_i = 1;
+            t.clock();
+            t.dut.take_i = 0;
+            shown = (t.read(SPHAERA_STATUS) & SPHAERA_STATUS_SHOWN) >> SPHAERA_STATUS_SHOWN_LSB;
+        } else {
+            c.equals("take", (uint64_t)sphaera_take(&t.driver, &shown), SPHAERA_OK);
+        }
         c.equals("the newest is shown", shown, newest);
         c.equals("its address", t.dut.show_base_o, c.place(a, shown));
         c.equals("swap", sphaera_handle(&t.driver), SPHAERA_INTERRUPTS_SWAP);
-        const uint32_t place = t.dut.show_base_o;
+        const uint64_t place = t.dut.show_base_o;
         c.choose((c.mux + (unsigned)i) % 4);
         t.clocks(5);
         c.equals("MUX counts when a frame is taken", t.dut.show_base_o, place);
@@ -323,6 +336,7 @@ static void store(Checks &c, const Golden &a) {
     t.write(SPHAERA_FRAME_MODE, 0);
     sphaera_interrupts(&t.driver, 0);
     c.choose(0);
+    c.note("active_o was low, and clk stood still", t.stood > 0);
     c.done("frame store: three frames, interrupts, counts");
 }
 

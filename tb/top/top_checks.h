@@ -55,13 +55,18 @@ enum : uint32_t {
     STORE = 0x02000000,
     APART = 0x200000
 };
+/* Bits of addresses from 32 up, of the scene and of each frame; memory is seen at all of them. */
+const uint64_t ADDRESSES = (1ull << ADDR) - 1;
+const uint64_t HIGH_SCENE = 0x9600000000 & ADDRESSES;
+const uint64_t HIGH[3] = {0x5a00000000 & ADDRESSES, 0xc300000000 & ADDRESSES,
+                          0x3c00000000 & ADDRESSES};
 const uint32_t POLLS = 100000;
 const uint32_t LIMIT = 100000000; /* clocks of the longest frame */
 
 class Checks {
   public:
     TopHost top;
-    uint32_t stores[3] = {STORE, STORE + APART, STORE + 2 * APART};
+    uint64_t stores[3] = {HIGH[0] + STORE, HIGH[1] + STORE + APART, HIGH[2] + STORE + 2 * APART};
     uint32_t stride = 2560;
     int rgb565 = 0;
     bool layers;              /* a frame has three of them, */
@@ -91,7 +96,7 @@ class Checks {
         apart = (bytes * (uint32_t)first.frame.height + 63) / 64 * 64;
         const uint32_t whole = layers ? SPH_FRAMES * apart : apart;
         for (uint32_t i = 0; i < 3; i++)
-            stores[i] = STORE + i * whole;
+            stores[i] = HIGH[i] + STORE + i * whole;
         store(bytes, 0);
         return STORE + 3ull * whole <= TopHost::MEMORY;
     }
@@ -128,12 +133,12 @@ class Checks {
         return all;
     }
     /* Where what is shown of frame n begins. */
-    uint32_t place(const Golden &golden, unsigned n) {
+    uint64_t place(const Golden &golden, unsigned n) {
         return stores[n] + (layers ? (uint32_t)shown_depth(golden) * apart : 0);
     }
     /* Colours at which depth MUX chooses. */
     int shown_depth(const Golden &golden) const { return mux ? (int)mux - 1 : depth(golden); }
-    bool same_at(const Golden &golden, uint32_t base, int depth) {
+    bool same_at(const Golden &golden, uint64_t base, int depth) {
         const sph_frame &f = golden.frame;
         for (int y = 0; y < f.height; y++)
             for (int x = 0; x < f.width; x++) {
@@ -141,7 +146,7 @@ class Checks {
                 uint32_t red = c & 255, green = c >> 8 & 255, blue = c >> 16 & 255;
                 uint32_t want = rgb565 ? (red >> 3) << 11 | (green >> 2) << 5 | blue >> 3
                                        : red << 16 | green << 8 | blue;
-                uint32_t at = base + (uint32_t)y * stride + (uint32_t)x * (rgb565 ? 2 : 4);
+                uint64_t at = base + (uint32_t)y * stride + (uint32_t)x * (rgb565 ? 2 : 4);
                 uint32_t is = 0;
                 memcpy(&is, &top.bytes[at % TopHost::MEMORY], rgb565 ? 2 : 4);
                 if (is == want) continue;
@@ -169,12 +174,13 @@ class Checks {
     }
     void spoil() {
         memset(&top.bytes[STORE], 0xa5, 3 * APART);
-        for (uint32_t at : stores)
+        for (uint64_t at : stores)
             for (uint32_t layer = 0; layer < (layers ? SPH_FRAMES : 1); layer++)
                 memset(&top.bytes[(at + layer * apart) % TopHost::MEMORY], 0xa5, 0x10000);
     }
     int load(const Golden &golden, uint32_t base) {
-        return sphaera_load(&top.driver, golden.file.data(), (uint32_t)golden.file.size(), base);
+        return sphaera_load(&top.driver, golden.file.data(), (uint32_t)golden.file.size(),
+                            HIGH_SCENE + base);
     }
     /* Loads and draws a machine, all of it right. */
     void whole(const Golden &golden, uint32_t base) {

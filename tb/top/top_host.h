@@ -8,6 +8,9 @@
 #define TB_TOP_HOST_H
 
 #include "Vrt_top.h"
+#ifndef ADDR
+#define ADDR 32 /* bits of an address, as the block was built */
+#endif
 #include <functional>
 
 #include "axi_memory.h"
@@ -26,6 +29,7 @@ class TopHost {
     WriteSide frame;
     struct sphaera driver;
     uint64_t cycle = 0;
+    uint64_t stood = 0;  /* clocks in which active_o was low and clk stood still */
     uint64_t irq_at = 0; /* the first clock with an interrupt since this was set to 0 */
     uint64_t scene_silent = 0, frame_silent = 0, scan_silent = 0; /* in that clock */
     unsigned stall = 0; /* percent, of the registers' bus */
@@ -61,8 +65,12 @@ class TopHost {
                  dut.s_axil_rdata,
                  dut.s_axil_bresp,
                  dut.s_axil_rresp};
-        dut.clk = 1;
-        dut.eval();
+        if (dut.active_o || random.percent(50)) {
+            dut.clk = 1;
+            dut.eval();
+        } else {
+            stood++;
+        }
         cycle++;
         if (!dut.irq_o || irq_at) return;
         irq_at = cycle;
@@ -127,7 +135,7 @@ class TopHost {
         b.write = [](void *user, uint32_t offset, uint32_t value) {
             ((TopHost *)user)->write(offset, value);
         };
-        b.put = [](void *user, uint32_t address, const uint8_t *from, uint32_t count) {
+        b.put = [](void *user, uint64_t address, const uint8_t *from, uint32_t count) {
             memcpy(&((TopHost *)user)->bytes[address % MEMORY], from, count);
         };
         b.user = this;
@@ -141,8 +149,10 @@ class TopHost {
   private:
     /* Between two edges of clk: a pixel clock of its own. */
     void pixel_clock() {
-        if (!pixel && !dut.pix_rst) return;
         if (cycle % pixel_every) return;
+        if (dut.pix_rst) leaves_ = 16;
+        if (!pixel && leaves_ == 0) return;
+        leaves_ -= leaves_ > 0;
         dut.m_video_tready = 1;
         dut.pix_clk = 0;
         dut.eval();
@@ -155,6 +165,7 @@ class TopHost {
         int bresp, rresp;
     } seen_ = {};
     uint8_t no_id_ = 0; /* of the display */
+    int leaves_ = 0;    /* edges of pix_clk until both its sides have left their reset */
     bool late(unsigned clocks) { return hangs = hangs || clocks > 5000; }
     void idle() {
         dut.s_axil_awvalid = dut.s_axil_wvalid = dut.s_axil_arvalid = 0;

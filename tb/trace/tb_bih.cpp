@@ -9,7 +9,6 @@
 #include "Vrt_bih.h"
 #include "Vrt_bih___024root.h"
 #include "trace/bih_memory.h"
-#include "trace/bih_outcomes.h"
 
 extern "C" {
 #include "trace/bih.h"

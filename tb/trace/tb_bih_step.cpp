@@ -10,7 +10,7 @@
 #include <deque>
 #include "Vrt_bih_step.h"
 #include "bench.h"
-#include "hard_cases.h"
+#include "hard.h"
 extern "C" {
 #include "machine/layout.h"
 #include "trace/bih.h"

@@ -1,83 +1,75 @@
 /* tb_box.cpp - rt_box against sph_box_meets()
  * SPDX-License-Identifier: Apache-2.0
  *
- * A vector is a ray, as sph_bih_setup() makes it, and a box, most of them at some distance before
- * its origin, of any size. The limit is far away or near the depth at which the ray enters.
+ * A vector is a ray in a frame, of frame_rays.h, and the planes of a child, of any size. The limit
+ * is far away or near the depth at which the ray enters.
  * Compiled with -O0, for it has few vectors.
  */
-#include <algorithm>
 #include <deque>
 #include "Vrt_box.h"
-#include "bench.h"
-extern "C" {
-#include "machine/layout.h"
-#include "trace/bih.h"
-}
+#include "frame_rays.h"
 
 namespace {
 
-constexpr size_t LATENCY = 9;
-constexpr int CW = W + 2, PACE = SPH_BIH_G + 7;
-constexpr int64_t C_MAX = ((int64_t)1 << (W + 1)) - 1;
+constexpr size_t LATENCY = 6;
+constexpr int SW = SPH_BOX_CROSS + 9, CROSS = SPH_BOX_CROSS, CODE = SPH_BOX_LO_X_BITS;
 constexpr int32_t FAR = 0x7fff;
 const sph_profile profile = {PROFILE, W, WD, 0, 0, 0, 0};
 
 struct Vector {
-    sph_ray ray{};
-    sph_bih_ray bih{};
-    sph_box box{};
+    frames::Vector frame;
+    sph_box_planes planes{};
     bool in = false; /* however far away */
     int32_t near = 0, limit = 0;
 };
 
-void choose_ray(bench::Random &random, sph_ray &ray) {
-    ray.kind = SPH_PRIMARY;
-    do
-        for (int i = 0; i < 3; i++) {
-            ray.dir[i] = random.percent(10)   ? 0
-                         : random.percent(50) ? random.sbits(WD)
-                                              : random.log_sbits(WD);
-            ray.org[i] = random.smixed(W);
-        }
-    while (!ray.dir[0] && !ray.dir[1] && !ray.dir[2]);
-    for (int64_t d : ray.dir)
-        ray.a += (uint64_t)(d * d);
-}
-
 Vector make(bench::Random &random) {
     Vector v;
-    choose_ray(random, v.ray);
-    int64_t way = (int64_t)random.log_bits(W + 4); /* in 2^-8 of the direction */
-    int size = (int)random.below(W + 2);
+    v.frame = frames::make(random, profile);
+    const int size = (int)random.below(SPH_BOX_LO_X_BITS + 1);
     for (int i = 0; i < 3; i++) {
-        int64_t at = v.ray.org[i] + (v.ray.dir[i] * way >> 8);
-        if (random.percent(5)) at = random.smixed(CW);
-        int64_t lo = at - (int64_t)random.log_bits(size), hi = at + (int64_t)random.log_bits(size);
-        v.box.lo[i] = (int32_t)std::clamp(lo, -C_MAX - 1, C_MAX);
-        v.box.hi[i] = (int32_t)std::clamp(hi, -C_MAX - 1, C_MAX);
+        const int64_t at = random.percent(5) ? random.below(SPH_BOX_CODES) : v.frame.code[i];
+        v.planes.lo[i] = (uint8_t)std::max<int64_t>(at - (int64_t)random.log_bits(size), 0);
+        v.planes.hi[i] =
+            (uint8_t)std::min<int64_t>(at + (int64_t)random.log_bits(size), SPH_BOX_CODES - 1);
     }
-    sph_bih_setup(&profile, &v.ray, &v.bih);
-    v.in = sph_box_meets(&v.bih, &v.ray, &v.box, FAR, &v.near);
+    v.in = sph_box_meets(v.frame.axes, &v.frame.ray, &v.planes, FAR, &v.near);
     v.limit = random.percent(40) ? FAR : (int32_t)random.log_bits(15);
     if (random.percent(40)) v.limit = std::clamp(v.near + (int32_t)random.between(-1, 1), 0, FAR);
     return v;
 }
 
 void send(bench::Bench<Vrt_box> &b, const Vector &v) {
-    bench::u128 places = 0, paces = 0, lo = 0, hi = 0;
+    bench::u128 near = 0, far = 0, step = 0, more = 0;
     for (int i = 2; i >= 0; i--) {
-        const sph_bih_axis &x = v.bih.axis[i];
-        bench::u128 open = x.shift < 0, shift = open ? 0 : (unsigned)x.shift;
-        places = places << W | bench::low((bench::u128)v.ray.org[i], W);
-        places = places << 2 | (x.negative ? 2 : 0) | (x.zero ? 1 : 0);
-        paces = paces << PACE | open << (PACE - 1) | shift << SPH_BIH_G | x.mant;
-        lo = lo << CW | bench::low((bench::u128)v.box.lo[i], CW);
-        hi = hi << CW | bench::low((bench::u128)v.box.hi[i], CW);
+        const sph_box_axis &x = v.frame.axes[i];
+        const unsigned flip = x.back ? SPH_BOX_CODES - 1 : 0;
+        near = near << CODE | ((x.back ? v.planes.hi[i] : v.planes.lo[i]) ^ flip);
+        far = far << CODE | ((x.back ? v.planes.lo[i] : v.planes.hi[i]) ^ flip);
+        step = step << CROSS | (unsigned)x.step;
+        more = more << (CROSS + 1) | (unsigned)(x.step + 2);
     }
-    b.set(b.dut.in_places_i, 3 * CW, (bench::i128)places);
-    b.set(b.dut.in_paces_i, 3 * PACE, (bench::i128)paces);
-    b.set(b.dut.in_lo_i, 3 * CW, (bench::i128)lo);
-    b.set(b.dut.in_hi_i, 3 * CW, (bench::i128)hi);
+    b.set(b.dut.in_near_i, 3 * CODE, (bench::i128)near);
+    b.set(b.dut.in_far_i, 3 * CODE, (bench::i128)far);
+    b.set(b.dut.in_step_i, 3 * CROSS, (bench::i128)step);
+    b.set(b.dut.in_more_i, 3 * CROSS + 3, (bench::i128)more);
+}
+
+/* A clock later. */
+void send_late(bench::Bench<Vrt_box> &b, const Vector &v) {
+    bench::u128 enter = 0, leave = 0;
+    unsigned flat = 0, open = 0;
+    for (int i = 2; i >= 0; i--) {
+        const sph_box_axis &x = v.frame.axes[i];
+        enter = enter << SW | bench::low((bench::u128)(bench::i128)x.enter, SW);
+        leave = leave << SW | bench::low((bench::u128)(bench::i128)(x.leave + x.step + 2), SW);
+        flat = flat << 1 | (x.flat ? 1 : 0);
+        open = open << 1 | (x.open ? 1 : 0);
+    }
+    b.set(b.dut.late_enter_i, 3 * SW, (bench::i128)enter);
+    b.set(b.dut.late_leave_i, 3 * SW, (bench::i128)leave);
+    b.dut.late_flat_i = (uint8_t)flat;
+    b.dut.late_open_i = (uint8_t)open;
 }
 
 } // namespace
@@ -87,6 +79,7 @@ int main(int argc, char **argv) {
     std::deque<Vector> sent;
     long met = 0;
     while (b.more()) {
+        if (!sent.empty()) send_late(b, sent.back());
         sent.push_back(make(b.random));
         send(b, sent.back());
         b.dut.in_limit_i = (uint16_t)sent.front().limit;
@@ -95,17 +88,18 @@ int main(int argc, char **argv) {
         const Vector v = sent.front();
         sent.pop_front();
         b.expect("out_pass_o", b.dut.out_pass_o, v.in && v.near <= v.limit, 1);
-        if (v.in) b.expect("out_near_o", b.dut.out_near_o, v.near, 15);
+        b.expect("out_near_o", b.dut.out_near_o, v.near, 15);
         met += v.in;
         if (b.bad())
             for (int i = 0; i < 3; i++) {
-                b.show("org", v.ray.org[i], W);
-                b.show("dir", v.ray.dir[i], WD);
-                b.show("lo", v.box.lo[i], CW);
-                b.show("hi", v.box.hi[i], CW);
+                b.show("enter", v.frame.axes[i].enter, SW);
+                b.show("leave", v.frame.axes[i].leave, SW);
+                b.show("step", v.frame.axes[i].step, CROSS);
+                b.show("lo", v.planes.lo[i], CODE);
+                b.show("hi", v.planes.hi[i], CODE);
             }
         b.done();
     }
-    if (b.all_vectors && 4 * met < b.vectors) b.fail("too few boxes are met");
+    if (b.all_vectors && 16 * met < b.vectors) b.fail("too few boxes are met");
     return b.finish();
 }

@@ -4,7 +4,7 @@
  *
  * build/test/test_box [seed]
  */
-#include "boxes_below.h"
+#include "containment.h"
 
 #include "core/frame.h"
 #include "render/render.h"

@@ -4,7 +4,7 @@
  * build/test/test_effects_facets [seed [scenes]]: facets next to spheres, gaps about as large as
  * the error of hit points; and the search for near facets against plain arithmetic.
  */
-#include "facets_scene.h"
+#include "build_scene.h"
 
 #include "builder/effects/occlude.h"
 #include "effects_scene.h"

@@ -3,7 +3,7 @@
  *
  * build/test/test_facets_grid [seed]
  */
-#include "facets_scene.h"
+#include "build_scene.h"
 
 #include "prim/facet.h"
 

@@ -3,7 +3,7 @@
  *
  * build/test/test_refit [seed]
  */
-#include "boxes_below.h"
+#include "containment.h"
 
 #include "core/frame.h"
 #include "render/render.h"

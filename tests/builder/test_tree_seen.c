@@ -167,15 +167,15 @@ static int meets(const struct sph_ball *balls, const struct sph_aabb *boxes,
         return sph_filter(&l->ray, &c, most, &near);
     }
     struct sph_box box = {{INT32_MAX, INT32_MAX, INT32_MAX}, {INT32_MIN, INT32_MIN, INT32_MIN}};
-    struct sph_bih_ray planes;
-    sph_bih_setup(p, &l->ray, &planes);
+    struct sph_visibility_sample s = {.ray = l->ray};
+    sph_bih_setup(p, &l->ray, &s.planes);
     for (uint32_t i = 0; i < n; i++)
         for (int j = 0; j < 3; j++) {
             if (boxes[order[i]].lo[j] < box.lo[j]) box.lo[j] = boxes[order[i]].lo[j];
             if (boxes[order[i]].hi[j] > box.hi[j]) box.hi[j] = boxes[order[i]].hi[j];
         }
-    uint32_t end = key ? sph_bih_time(&planes, key) : planes.limit;
-    return sph_box_meets(&planes, &l->ray, &box, sph_box_depth(end), &near);
+    s.depth_max = sph_box_depth(key ? sph_bih_time(&s.planes, key) : s.planes.limit);
+    return sph_visibility_sample_meets_box(&s, &box);
 }
 
 /* What a pair is met like, by its costs. */

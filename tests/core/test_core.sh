@@ -163,23 +163,34 @@ broken "records beyond memory" 1 --reg 26=0x3000000
 broken "visits of probes run out" 4 --reg 29=3 --reg 0=31
 broken "records of probes beyond memory" 1 --reg 26=0x3000000 --reg 0=31
 broken "wrong profile" 32 --reg 30=1
-# LEFT_OUT, in both simulators: primitive 55 is what pixel 3,3 sees, primitive 0 is met by none.
-record=$((157 - 55))
-for sim in verilator icarus; do
-    wanted "$sim broken: a primitive that no ray was to meet" all SIM=$sim \
-        "$machines/paper100-draft-8x6.sph" --expect-errors 64 --poke $((record + 55)):189:1=1
-    wanted "$sim a primitive that no ray meets" all SIM=$sim "$machines/paper100-draft-8x6.sph" \
-        --poke $record:189:1=1
-done
-# The same of a machine whose camera moves behind the mirror that its own frame does not show.
-moved=$machines/moved.sph
-"$SPHAERA" build tests/scenes/met/mirror_behind.nff --profile draft --size 8x6 -o "$moved" \
-    >"$TMP/build" 2>&1 || check "a mirror behind the eye" cat "$TMP/build"
-for sim in verilator icarus; do
-    wanted "$sim a mirror left out is not met" auto SIM=$sim "$moved"
-    wanted "$sim a camera that moves meets a mirror left out" auto SIM=$sim "$moved" \
-        --reg 20=704 --expect-errors 64
-done
+# LEFT_OUT: a scene, and by how many scene units its eye moves to see what is left out: a light, a
+# shadow, what shadow rays pass, rays inside, a mirror, images and glass, depths, a ball, a triangle.
+mkdir -p "$machines/met"
+while read -r scene x y z; do
+    moved=$machines/met/$scene.sph
+    "$SPHAERA" build tests/scenes/met/$scene.nff --profile draft --depth 10 --size 16x9 \
+        --accel bvh4 -o "$moved" >"$TMP/build" 2>&1 || check "$scene" cat "$TMP/build"
+    eye=$("$SPHAERA" info "$moved" | awk -v by="$x $y $z" '
+        /^grid/ { split(by, move); sub(/.*\^/, "", $3); step = 2 ^ $3 }
+        $2 ~ /^EYE/ { printf " --reg %d=%d", $1, $3 + move[++n] / step }')
+    wanted "verilator $scene: its own camera" all SIM=verilator "$moved"
+    for sim in verilator icarus; do
+        # shellcheck disable=SC2086  # three options on purpose
+        wanted "$sim $scene: a camera that would see more" all SIM=$sim "$moved" $eye \
+            --expect-errors 64
+    done
+done <<'END'
+light_below 0 -4 0
+shadow_behind 0 0 12
+clear_behind 0 0 12
+inside_behind 0 -5 6
+mirror_behind 0 0 8
+all_behind 3 -5 15
+mirrors_behind 0 0 9
+behind 0 0 5
+triangle_behind 4 -2.5 12
+END
+wanted "icarus a mirror left out: its own core" auto SIM=icarus "$machines/met/mirror_behind.sph"
 broken "bus error at the first line" 8 --bus-error-at 0
 broken "bus error later" 8 --bus-error-at 9
 

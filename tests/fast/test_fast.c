@@ -12,7 +12,6 @@
 #include "fast/pixel.h"
 #include "fast/tile.h"
 #include "model_scene.h"
-#include "untold.h"
 #include "render/render.h"
 
 enum { LANES = SPH_FAST_PLAIN + 1 };
@@ -215,7 +214,7 @@ static void damaged(void **state) {
 static void known_effects(void **state) {
     (void)state;
     const uint32_t all = 1 << SPH_EFFECT_SHADOW | 1 << SPH_EFFECT_REFLECT | 1 << SPH_EFFECT_INSIDE |
-                         1 << SPH_EFFECT_FIRST | 1 << SPH_EFFECT_TURNED;
+                         1 << SPH_EFFECT_FIRST | 1 << SPH_EFFECT_TURNED | 1 << SPH_EFFECT_CAMERA;
     for (int bit = 0; bit < 32; bit++) {
         const struct sph_machine m = {.regs = {[SPH_REG_EFFECTS] = (int32_t)(1u << bit)}};
         assert_int_equal(sph_fast_shades(&m), all >> bit & 1);

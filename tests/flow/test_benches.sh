@@ -1,10 +1,10 @@
 #!/bin/sh
-# test_benches.sh - every block of the RTL against its model, tb/benches*.txt
+# test_benches.sh - every block of the RTL against its model, tb/benches.txt
 # SPDX-License-Identifier: Apache-2.0
 #
 #   SEED=n       other vectors (1)
 #   ALL=1        every profile and configuration; without it those that no other one stands for
-#   BENCHES=...  those of tb/benches*.txt by bench/profile (all)
+#   BENCHES=...  those of tb/benches.txt by bench/profile (all)
 # Each bench refuses a seed that is no number, by its name, and the first one all such words.
 . "$(dirname "$0")/../numbers.sh"
 cd "$(dirname "$0")/../.." || exit 1

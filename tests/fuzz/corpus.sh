@@ -3,8 +3,9 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # usage: tests/fuzz/corpus.sh TOOL FOLDER
-# Texts are those of tests/fuzz/corpus and small scenes of scenes/; machine files, frame files and
-# images are made of scenes by the tool. FOLDER/NAME has the inputs of a harness.
+# Scenes are those of tests/fuzz/corpus and small ones of scenes/, command lines those of corpus.py;
+# machine files, frame files and images are made of scenes by the tool. FOLDER/NAME has the inputs
+# of a harness.
 set -eu
 tool=$1 to=$2
 cd "$(dirname "$0")/../.."
@@ -12,6 +13,7 @@ for name in nff aff pdb machine frame options image; do
     mkdir -p "$to/$name"
     [ ! -d "tests/fuzz/corpus/$name" ] || cp tests/fuzz/corpus/"$name"/* "$to/$name/"
 done
+python3 tests/fuzz/corpus.py "$to"
 cp scenes/effects/*.nff scenes/one_sphere.nff scenes/refraction/*.nff "$to/nff/"
 for scene in effects/reflect_smooth effects/interpenetrate effects/lights refraction/four \
     facets/plane inside empty; do

@@ -41,9 +41,9 @@ const char *__asan_default_options(void) {
 const char *__ubsan_default_options(void) {
     return "abort_on_error=1:print_stacktrace=1";
 }
-enum { SANITIZED = 1, LONG = 10 };
+enum { LONG = 10 };
 #else
-enum { SANITIZED = 0, LONG = 1 };
+enum { LONG = 1 };
 #endif
 enum { WAIT = 60 };
 

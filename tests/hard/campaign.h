@@ -45,7 +45,7 @@ uint64_t campaign_chunks(const struct campaign *c);
 /* Cases of each family that the plan asks for. */
 uint64_t campaign_family_cases(const struct campaign *c);
 
-/* ---- state file (campaign_state.c) ---- */
+/* ---- state file (campaign.c) ---- */
 
 /* Reads done[0..chunks-1] and the rows. 0; 1 if there is no such file; -1 with a message. */
 int campaign_load(struct campaign *c, uint8_t *done, uint64_t chunks, struct sph_error *err);

@@ -5,7 +5,7 @@
 #define HARD_CHECK_H
 
 #include "exact.h"
-#include "facet_exact.h"
+#include "facet.h"
 
 struct job {
     const struct sph_profile *p;

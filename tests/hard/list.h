@@ -8,7 +8,9 @@
 
 #include <stddef.h>
 
+#include "core/ray.h"
 #include "hard.h"
+#include "prim/facet.h"
 
 enum {
     HARD_RAY,
@@ -42,5 +44,24 @@ struct hard_list hard_list_named(int profile);
 void hard_list_add(struct hard_list *list, struct hard_item item);
 
 const char *hard_named_name(int number);
+
+/* ---- the vectors of the named cases of facets, for who drives something else than the model
+ * ---- */
+/* The bench of the RTL reads it (tb/prim/tb_facet.cpp): every vector that is judged, in the same
+ * order, with the axes turned and the corners exchanged as they are there. */
+
+struct hard_facet {
+    int named;          /* number of the named case */
+    struct sph_ray ray; /* what set-up does not make */
+    struct sph_facet_leaf facet;
+};
+
+struct hard_facets {
+    struct hard_facet *items;
+    size_t n, room;
+};
+
+/* All vectors of a profile; the caller frees items. Ends the program if memory does not do. */
+struct hard_facets hard_facets_named(int profile);
 
 #endif

@@ -1,15 +1,16 @@
 /* named.c - runs the named cases: vectors, expectations, pairs through the tree; see named.h
  * SPDX-License-Identifier: Apache-2.0
  */
-#include "named.h"
-
 #include <stdarg.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "exact.h"
+#include "list.h"
 #include "machine/machine.h"
-#include "trace/traverse.h"
+#include "named.h"
 #include "trace/setup.h"
+#include "trace/traverse.h"
 
 struct hard_case vector(const int64_t org[3], const int64_t dir[3], const int64_t ctr[3],
                         int64_t rad) {
@@ -194,4 +195,36 @@ void hard_named_list(FILE *out) {
     for (int i = 0; i < HARD_FAMILIES; i++)
         fprintf(out, "| `%s` | %s | %s |\n", hard_families[i].name, hard_kinds[hard_families[i].of],
                 hard_families[i].what);
+}
+
+/* ---- list ---- */
+
+void hard_list_add(struct hard_list *list, struct hard_item item) {
+    if (list->n == list->room) {
+        size_t room = list->room ? 2 * list->room : 1024;
+        struct hard_item *items = realloc(list->items, room * sizeof *items);
+        if (!items) {
+            perror("hard_list_add");
+            exit(2);
+        }
+        list->items = items;
+        list->room = room;
+    }
+    item.named = list->named;
+    list->items[list->n++] = item;
+}
+
+struct hard_list hard_list_named(int profile) {
+    struct hard_list list = {0};
+    for (int i = 0; i < hard_n_named; i++) {
+        struct named n = hard_named_start(profile);
+        n.list = &list;
+        list.named = i + 1;
+        hard_named[i].run(&n);
+    }
+    return list;
+}
+
+const char *hard_named_name(int number) {
+    return hard_named[number - 1].name;
 }

@@ -7,7 +7,7 @@ cd "$(dirname "$0")/../.." || exit 1
 export BUILD
 made() { # as test_report.sh has it
     env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL make --no-print-directory case B="$BUILD" JOBS=1 \
-        SIM=icarus SIZE=12x8 CELLS=0 "$@"
+        SIM=icarus SIZE=12x8 "$@"
 }
 page=
 of() { # scene, profile: its page
@@ -45,7 +45,6 @@ check "... every file is in the page" alone
 run=${page%/case.html}
 cp -r "$run" "$TMP/wrong"
 report() { python3 -m lab case "$TMP/wrong"; }
-export CELLS=0
 python3 - "$TMP/wrong/report.json" <<'END'
 import json, sys
 report = json.load(open(sys.argv[1]))

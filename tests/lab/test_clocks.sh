@@ -10,7 +10,7 @@ check "the plot of times is of these clocks: python3 -m lab study-times FOLDER" 
 from pathlib import Path
 from lab.study import times
 drawn = Path(times.PICTURE).read_text(encoding='utf-8')
-missing = [name for _, dots in times.series() for *_, name in dots if f'>{name}<' not in drawn]
+missing = [name for _, dots in times.series()[0] for *_, name in dots if f'>{name}<' not in drawn]
 assert not missing, missing"
 
 # faults in a copy of the tree
@@ -33,8 +33,8 @@ check "a rate that is typed, over two lines" told told docs/results/texture_resu
     '$s/$/\nIt draws 17.4 frames\na second./' '17.4 frames a second is told by hand'
 check "a column of rates" told told docs/results/trees.md \
     '$s/$/\n| a | frames\/s |\n|---|---|\n| b | 7 |/' 'the column frames/s'
-check "a measured table that has rates" told told docs/results/data/trees.moving.tsv \
-    's/^scenario, spheres/&, fps/' 'trees.moving.tsv: the column scenario, spheres, fps'
+check "a measured table that has rates" told told docs/results/data/trees.tsv \
+    's/^scenario, spheres/&, fps/' 'trees.moving: the column scenario, spheres, fps'
 check "a figure that is given, and told no more" told told $given \
     '$s/$/\nREADME.md; 3 MHz; x/' \
     'README.md does not tell 3 MHz'

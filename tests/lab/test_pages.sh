@@ -140,7 +140,7 @@ check "regions, code and listings may have figures" made
 check "a table that is not there" broken 's/begin: errors/begin: rows speed_and_area.none/' \
     speed_and_area.none
 shown=docs/results/data/shown.txt
-claims=lab/papers/claims.py values=docs/results/data/papers.values.tsv
+claims=lab/papers/claims.py values=docs/results/data/papers.tsv
 claim() { # file, sed expression, what is said
     cp "$1" kept
     edited "$1" "$2" && ! python3 -m lab pages --check >said 2>&1 && cat said &&

@@ -1,9 +1,10 @@
 # test_study.sh - the study of accuracy and time: small jobs end to end, broken results, the page
 # SPDX-License-Identifier: Apache-2.0
 #
-# The short form of the study (pictures of one scene, one RTL frame on a core that other tests build
-# too, no synthesis), then what must not happen: a job done twice, half a file, a damaged result
-# that counts. lab/checks/page.py checks the page's numbers on results that are made up.
+# The short form of the study (pictures and the price of one scene, one RTL frame on a core that
+# other tests build too, no synthesis), then what must not happen: a job done twice, half a file, a
+# damaged result that counts. lab/checks/page.py checks the page's numbers on results that are made
+# up.
 set -u
 . "$(dirname "$0")/../tap.sh"
 cd "$(dirname "$0")/../.." || exit 1
@@ -29,11 +30,11 @@ from lab.study import keys
 print($1)"; }
 
 # ---- all of it, twice ----
-check "four jobs to run" says '4 jobs, 4 to run' plan
+check "five jobs to run" says '5 jobs, 5 to run' plan
 check "all jobs run" jobs
-check "a file each, and nothing else" [ "$(count)" = 4 ]
+check "a file each, and nothing else" [ "$(count)" = 5 ]
 state >"$TMP/before"
-check "nothing to run" says '4 jobs, 0 to run' plan
+check "nothing to run" says '5 jobs, 0 to run' plan
 check "... and nothing is run" jobs
 key=$(mine "keys.job('accuracy', scene='paper5', size='32x18')")
 file=$(mine "store.path('$results', '$key')")
@@ -52,7 +53,7 @@ assert rtl['node_visits'] == model['node_visits'] > 0 and rtl['cycles'] >= rtl['
 cp "$file" "$TMP/good"
 sed -i 's/"pixels": 576/"pixels": 577/' "$file"
 check "a digit changed is noticed" says "$file is damaged" plan
-check "... and the job is to run" says '4 jobs, 1 to run' plan
+check "... and the job is to run" says '5 jobs, 1 to run' plan
 head -c 300 "$TMP/good" >"$file"
 check "half a file is noticed" says "$file is damaged" plan
 check "... and made anew" jobs
@@ -79,7 +80,7 @@ tries=0
 while [ ! -f "$TMP/started" ] && [ $tries -lt 100 ]; do sleep 0.1 && tries=$((tries + 1)); done
 kill -9 $victim
 check "a killed job leaves no file" sh -c "[ -f '$TMP/started' ] && [ ! -e '$file' ]"
-check "... and is to run" says '4 jobs, 1 to run' plan
+check "... and is to run" says '5 jobs, 1 to run' plan
 check "... and then there" sh -c "python3 -m lab jobs make '$TMP/jobs' && [ -f '$file' ]"
 refused=$(mine "keys.job('accuracy', scene='huge_tiny', size='32x18', profile='draft')")
 check "a scene that the profile refuses is a result" run "$refused"

@@ -8,6 +8,7 @@ tool=$BUILD/sphaera
 
 says() { python3 -c "import json, sys
 from pathlib import Path
+from lab.pages import data
 from lab.papers import why
 $1"; }
 "$tool" background scenes/views/off_axis.nff --size 160x90 --json "$TMP/off_axis.json" >/dev/null
@@ -18,9 +19,7 @@ found = why.square()
 print(model, found)
 assert model == found['square_lost'] and found['square_angle'] == '44.4'"
 check "so does the outline, but for pixels that a radius rounded up moves" says "
-series = Path('docs/results/data/effects.background_series.tsv')
-rows = [line.split('\t') for line in series.read_text().splitlines()]
-model = {row[0]: int(row[2]) for row in rows[2:]}
+model = {row[0]: int(row[2]) for row in data.read('effects.background_series')[1]}
 for points in 16, 64:
     left_out, between = why.outline(160, 90, points)
     print(points, model, left_out, between)

@@ -22,7 +22,7 @@
 #include <sys/time.h>
 #include <unistd.h>
 
-#include "sanitized.h"
+#include "number.h"
 
 #define REFUSED(name, call)                                                                        \
     do {                                                                                           \

@@ -3,7 +3,7 @@
  *
  * build/test/test_machine_facets [seed]
  */
-#include "facets_scene.h"
+#include "build_scene.h"
 
 #include <unistd.h>
 

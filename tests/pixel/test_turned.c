@@ -1,7 +1,7 @@
 /* test_turned.c - rays of a grid that has the scene's axes, and when it has them
  * SPDX-License-Identifier: Apache-2.0
  */
-#include "facets_scene.h"
+#include "build_scene.h"
 
 #include "builder/grid/grid.h"
 #include "render/render.h"

@@ -25,7 +25,7 @@
 #include "builder/profile/choose_profile.h"
 #include "common/number.h"
 #include "render/render.h"
-#include "sanitized.h"
+#include "number.h"
 #include "scene/import.h"
 #include "validate/describe.h"
 

@@ -16,7 +16,7 @@
 
 #include "builder/profile/choose_profile.h"
 #include "render/render.h"
-#include "sanitized.h"
+#include "number.h"
 #include "scene/generate.h"
 
 static const double reals[] = {0,       5e-324,   -1e-320, 1e-310, 1e-300, 1e-30,    1e-9,

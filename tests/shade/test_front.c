@@ -5,7 +5,7 @@
  * facet that was hit, a refracted ray strictly behind it. So nothing of a convex mesh shades what
  * faces the light.
  */
-#include "facets_scene.h"
+#include "build_scene.h"
 
 #include <gmp.h>
 

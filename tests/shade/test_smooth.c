@@ -4,7 +4,7 @@
  *
  * build/test/test_smooth [seed]
  */
-#include "facets_scene.h"
+#include "build_scene.h"
 
 #include "builder/smooth.h"
 #include "render/render.h"

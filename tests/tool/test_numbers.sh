@@ -36,16 +36,15 @@ refused() { # command, option, value
         return 1
     fi
 }
-is_real() { # of an option: what is large, small or has a point may be right
-    case $1 in
-    --drift | --radius | --least-weight | --error | --time | --round | --orbit | --rate) ;;
-    *) return 1 ;; esac
+# Of an option: what is large, small or has a point may be right, since help has no N or WxH for it.
+is_real() { # command, option
+    ! "$SPHAERA" "$1" --help | grep -qE -e "$2=(N|X,Y|A\.\.B|WxH)( |\$)"
 }
 all_refused() {
     bad=0
     no_numbers >words
     while IFS= read -r value; do
-        case $value in 9999999999* | 1844674407* | 1e-320) ! is_real "$2" || continue ;; esac
+        case $value in 9999999999* | 1844674407* | 1e-320) ! is_real "$1" "$2" || continue ;; esac
         refused "$1" "$2" "$value" </dev/null || bad=1
     done <words
     return $bad
@@ -79,7 +78,7 @@ for command in build render info compare gen import background texels accuracy r
     operations trees floats view movie; do
     for option in $(numbers "$command"); do
         check "$command $option" all_refused "$command" "$option"
-        [ "$command" != view ] && is_real "$option" || continue
+        [ "$command" != view ] && is_real "$command" "$option" || continue
         check "... answers reals" answered "$command" "$option"
     done
 done

@@ -19,7 +19,7 @@ sys.exit(not ($1))"
 
 # ---- every figure is that of the command that tells of one profile ----
 as_accuracy() { # scene, size
-    priced "$1" --size "$2" || return 1
+    priced "$1" --size "$2" --effects all || return 1
     for profile in draft standard fine reference; do
         "$s" accuracy "$1" --size "$2" --profile $profile --json "$TMP/a.json" >"$TMP/a" \
             2>"$TMP/err" || continue
@@ -76,20 +76,37 @@ one_row() {
 }
 check "widths of one's own are the only row" one_row
 
-# ---- cells, clock, milliseconds: of that very core alone ----
+# ---- cells, clock, milliseconds: of that very core, or estimated ----
 known() {
-    priced scenes/sphereflake2.nff --size 100x50 && asked "r['standard']['clock']['seeds'] == 5
+    priced scenes/sphereflake2.nff --size 100x50 --effects all && asked "r['standard']['clock']['seeds'] == 5
         and r['standard']['clock']['median'] == 127.5 and r['draft']['cells']['lut4eq'] == 14179
         and abs(r['standard']['milliseconds'] - r['standard']['cycles_per_pixel'] * 5000 / 127500)
-        < 1e-9"
+        < 1e-9 and not r['standard']['cells']['estimated']" && ! has '~' "$TMP/p"
 }
 check "a core that was routed" known
+estimated() {
+    priced scenes/sphereflake2.nff --size 100x50 --depth 1 --effects all &&
+        asked "all(row['cells']['estimated'] and row['clock']['estimated'] for row in p['rows'])" &&
+        has '^~:  *estimated: ' "$TMP/p" && has ' ~16846 .* ~127.5 ' "$TMP/p"
+}
+check "another depth is another core" estimated
 unknown() {
-    priced scenes/sphereflake2.nff --size 100x50 --depth 1 &&
+    priced scenes/paper5.nff --profile standard:pq=13 --size 100x50 &&
         asked "not any(row['cells'] or row['clock'] or row['milliseconds'] for row in p['rows'])" &&
         has '^cells -: nobody' "$TMP/p" && has '^clock -: nobody' "$TMP/p"
 }
-check "another depth is another core" unknown
+check "other widths are another core" unknown
+# ---- the core of `make sim` ----
+own() { # scene: the core of each row is that which build asks for
+    priced "$1" --size 64x36 && for profile in draft standard fine reference; do
+        "$s" build "$1" --size 64x36 --profile $profile -o "$TMP/own.sph" >"$TMP/text" 2>&1 &&
+            core=$("$s" info "$TMP/own.sph" | sed -n 's/^core *//p') &&
+            asked "r['$profile']['core'] == '$core'" || return 1
+    done
+}
+for scene in light_below behind clear_behind; do
+    check "$scene: cores are those of make sim" own tests/scenes/met/$scene.nff
+done
 python3 -m lab known "$TMP/known.h"
 check "cells and clocks are those of docs/results/data" cmp cmodel/trial/known_table.h \
     "$TMP/known.h"

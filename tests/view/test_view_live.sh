@@ -116,6 +116,41 @@ last=$(find "$TMP" -name 'v-0*.png' | sort | tail -1)
 check "the record ends with what was seen last" "$s" compare "$TMP/clear.png" "$last"
 check "and tells its names" has "record   $TMP/v-0000.png and so on" "$TMP/live"
 
+# Key m: what `sphaera price` says of the frame, in each profile, and of a camera that moved; not
+# any more when it is pressed again.
+cat >"$TMP/price.txt" <<END
+key m
+wait refined
+key p
+wait refined
+key 9
+wait refined
+key right
+wait refined
+scene $TMP/priced.nff
+key m
+key left
+wait refined
+report
+END
+# shellcheck disable=SC2086
+check "frames at rest are measured" live scenes/sphereflake2.nff $standard \
+    --script "$TMP/price.txt"
+sed -n 's/^price //p' "$TMP/out" >"$TMP/priced"
+as_price() { # line, profile, scene
+    "$s" price "$3" $size --profile "$2" --effects all --pixels 8192 --json - |
+        python3 -c "import json, sys
+row = json.load(sys.stdin)['price']['rows'][0]
+psnr, cycles = row['measured']['psnr'], row['cycles_per_pixel']
+print(f\"   {row['name']}: {psnr:.2f} dB, {row['measured']['wrong']} wrong, {cycles:.2f} cycles \"
+      f\"a pixel, most for {row['limit']['unit']}\")" >"$TMP/row"
+    sed -n "$1p" "$TMP/priced" | diff -u "$TMP/row" -
+}
+check "... as by price" as_price 1 standard scenes/sphereflake2.nff
+check "... in the next profile" as_price 2 fine scenes/sphereflake2.nff
+check "... of a camera that moved" as_price 3 fine "$TMP/priced.nff"
+check "... three times" test "$(wc -l <"$TMP/priced")" = 3
+
 # Settings, switched while it runs.
 cat >"$TMP/set.txt" <<END
 key t

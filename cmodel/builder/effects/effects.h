@@ -58,10 +58,16 @@ void sph_leave_out(struct sph_effect_report *entry, const char *why);
 int sph_is_unmet(const struct sph_scene *scene, const struct sph_build_options *options,
                  const struct sph_grid_prim *prim);
 
-/* LEFT_OUT in the records of what no ray of the frame is to meet and what asks for an effect that
- * was left out; and ONE_CAMERA. Behind all other effects. */
-void sph_emit_left_out(const struct sph_survey *survey, struct sph_machine *machine,
-                       const struct sph_build_report *report);
+/* How many rays may follow a primary one, one after another. */
+int sph_depth(const struct sph_build_options *options);
+
+/* Behind all other effects: MAX_DEPTH as the frame needs it where something is left out, or if the
+ * core `all` follows fewer than asked; then sph_emit_camera(). */
+void sph_emit_left_out(const struct sph_build_options *options, struct sph_machine *machine,
+                       struct sph_build_report *report);
+
+/* Effect CAMERA and register ONE_CAMERA: something is left out. */
+void sph_emit_camera(struct sph_machine *machine, struct sph_build_report *report);
 
 /* What `asked` makes of an effect that the scene calls for or not; entry->why tells that. */
 void sph_settle(struct sph_effect_report *entry, int asked);

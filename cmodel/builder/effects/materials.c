@@ -32,6 +32,7 @@ static const struct sph_material *best(const struct sph_survey *s,
 }
 
 static const char UNMET[] = "no ray of this frame meets it";
+static const char UNLEFT[] = "no ray of this frame leaves it";
 
 /* What calls for an effect; if rays of the frame meet none of it, *unmet, what they do not meet. */
 static const struct sph_material *caller(const struct sph_survey *s,
@@ -55,7 +56,8 @@ void sph_find_reflect(const struct sph_survey *s, struct sph_effect_report *entr
         WHY(entry, "%s mirrors %d/256, depth %d", place(s, mirror).text, sph_material_kr(mirror),
             depth);
     entry->called = mirror ? depth : 0;
-    if (unmet && depth) sph_leave_out(entry, UNMET);
+    if (mirror && depth && (unmet || !sph_depth(s->options)))
+        sph_leave_out(entry, unmet ? UNMET : UNLEFT);
     sph_settle(entry, asked == SPH_ON ? depth : asked);
 }
 
@@ -69,7 +71,8 @@ int sph_find_refract(const struct sph_survey *s, struct sph_effect_report *entry
         WHY(entry, "%s transmits %d/256, depth %d", place(s, glass).text, sph_material_kt(glass),
             depth);
     entry->called = glass && depth;
-    if (unmet && depth) sph_leave_out(entry, UNMET);
+    if (glass && depth && (unmet || !sph_depth(s->options)))
+        sph_leave_out(entry, unmet ? UNMET : UNLEFT);
     sph_settle(entry, s->options->refract);
     if (!entry->on) return 0;
     struct sph_place at = {""};
@@ -113,8 +116,13 @@ void sph_find_sum(const struct sph_survey *s, struct sph_effect_report *entry) {
     entry->on = entry->called;
 }
 
+/* Whether CLEAR is left out. */
+static int unpassed(const struct sph_survey *s) {
+    return s->options->clear == SPH_AUTO && s->options->unmet && s->options->unmet->clear;
+}
+
 int sph_may_pass(const struct sph_survey *s) {
-    return s->options->clear != SPH_OFF && best(s, passes, 0);
+    return s->options->clear != SPH_OFF && !unpassed(s) && best(s, passes, 0);
 }
 
 void sph_find_clear(const struct sph_survey *s, int shadow, struct sph_effect_report *entry) {
@@ -125,6 +133,7 @@ void sph_find_clear(const struct sph_survey *s, int shadow, struct sph_effect_re
     else
         WHY(entry, "%s lets shadow rays pass%s", place(s, clear).text,
             shadow ? "" : ", but there are none");
+    if (entry->called && unpassed(s)) sph_leave_out(entry, "no ray of this frame passes it");
     sph_settle(entry, s->options->clear);
     if (entry->on && !shadow) sph_drop(entry, "it needs shadow, which is off");
 }

@@ -30,10 +30,15 @@ int sph_visibility_samples(const struct sph_machine *machine, int boxes,
 
 void sph_visibility_samples_free(struct sph_visibility_samples *samples);
 
+/* As the box of a child is met, but for what a node's frame rounds. */
 static inline int sph_visibility_sample_meets_box(const struct sph_visibility_sample *s,
                                                   const struct sph_box *box) {
-    int32_t near;
-    return sph_box_meets(&s->planes, &s->ray, box, s->depth_max, &near);
+    struct sph_interval span = {0, SPH_BIH_NO_BOUND};
+    for (int i = 0; i < 3; i++)
+        if (!sph_bih_cut(&s->planes, &s->ray, i, box->lo[i], 0, &span) ||
+            !sph_bih_cut(&s->planes, &s->ray, i, box->hi[i], 1, &span))
+            return 0;
+    return span.lo <= span.hi && sph_box_depth(span.lo) <= s->depth_max;
 }
 
 static inline int sph_visibility_sample_meets_ball(const struct sph_visibility_sample *s,

@@ -37,7 +37,7 @@ class Drawn(Built):
 
 
 class DrawnLine(Line, Drawn):
-    """A line of tb/benches*.txt around a netlist of its module."""
+    """A line of tb/benches.txt around a netlist of its module."""
 
     def __init__(self, line, build):
         super().__init__(line, build)

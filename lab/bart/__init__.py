@@ -1,2 +1,0 @@
-# __init__.py - the scenes that the texture paper names, which their authors give away
-# SPDX-License-Identifier: Apache-2.0

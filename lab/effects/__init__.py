@@ -1,2 +1,0 @@
-# __init__.py - what each scene calls for, and what its own core saves
-# SPDX-License-Identifier: Apache-2.0

@@ -1,2 +1,0 @@
-# __init__.py - the mutation campaign of the RTL: `make campaign`
-# SPDX-License-Identifier: Apache-2.0

@@ -1,2 +1,0 @@
-# __init__.py - many independent jobs: their results, and engines that run them
-# SPDX-License-Identifier: Apache-2.0

@@ -1,2 +1,0 @@
-# __init__.py - pages whose tables and figures come out of the sources
-# SPDX-License-Identifier: Apache-2.0

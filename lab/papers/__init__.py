@@ -1,2 +1,0 @@
-# __init__.py - the papers, claim by claim
-# SPDX-License-Identifier: Apache-2.0

@@ -1,2 +1,0 @@
-# __init__.py - what accuracy costs in time and cells
-# SPDX-License-Identifier: Apache-2.0

@@ -1,2 +1,0 @@
-# __init__.py - synthesised cores: tables, budgets
-# SPDX-License-Identifier: Apache-2.0

@@ -1,2 +1,0 @@
-# __init__.py - the model against a renderer of somebody else's
-# SPDX-License-Identifier: Apache-2.0

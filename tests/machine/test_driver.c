@@ -1,0 +1,206 @@
+/* test_driver.c - what the driver refuses, by name, before it writes anything
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * The block is an array of registers; a machine file is made of its fields. Each row changes one
+ * thing of a block and a machine that go together.
+ */
+#include "../../driver/sphaera.c"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <string.h>
+#include <cmocka.h>
+
+enum { LINES = 3, BYTES = SPHAERA_HEADER_LEAST + 4 * SPHAERA_MACHINE_REGISTERS };
+
+static const uint32_t PROFILE = 0x1234567;
+
+struct block {
+    uint32_t words[1024];
+    int writes, puts;
+    uint64_t address;
+    uint32_t count;
+};
+
+static uint32_t reads(void *user, uint32_t offset) {
+    return ((struct block *)user)->words[offset / 4];
+}
+
+static void writes(void *user, uint32_t offset, uint32_t value) {
+    struct block *b = user;
+    b->words[offset / 4] = value;
+    b->writes++;
+}
+
+static void puts_(void *user, uint64_t address, const uint8_t *bytes, uint32_t count) {
+    struct block *b = user;
+    (void)bytes;
+    b->puts++;
+    b->address = address;
+    b->count = count;
+}
+
+static uint32_t parts(uint32_t depth, uint32_t lights, uint32_t cones) {
+    return depth << SPHAERA_CORE_PARTS_DEPTH_LSB | lights << SPHAERA_CORE_PARTS_LIGHTS_LSB |
+           cones << SPHAERA_CORE_PARTS_CONES_LSB;
+}
+
+static void opened(struct sphaera *s, struct block *b, uint32_t has, uint32_t bits) {
+    memset(b, 0, sizeof *b);
+    b->words[SPHAERA_ID / 4] = SPHAERA_ID_RESET;
+    b->words[SPHAERA_VERSION / 4] = SPHAERA_VERSION_RESET;
+    b->words[SPHAERA_CORE_PROFILE / 4] = PROFILE;
+    b->words[SPHAERA_CORE_EFFECTS / 4] = 3;
+    b->words[SPHAERA_CORE_PARTS / 4] = has;
+    b->words[SPHAERA_CORE_BUS / 4] = 64 | bits << SPHAERA_CORE_BUS_ADDR_LSB;
+    const struct sphaera_bus bus = {reads, writes, puts_, b};
+    assert_int_equal(sphaera_open(s, &bus), SPHAERA_OK);
+    b->writes = 0;
+}
+
+static void word(uint8_t *at, uint32_t value) {
+    for (int i = 0; i < 4; i++)
+        at[i] = (uint8_t)(value >> 8 * i);
+}
+
+/* A machine file of LINES lines; two registers besides profile and effects. */
+static uint32_t made(uint8_t *file, uint32_t reg, uint32_t value, uint32_t other, uint32_t its) {
+    memset(file, 0, BYTES);
+    memcpy(file, "SPHAERA1", 8);
+    word(file + SPHAERA_AT_VERSION, SPHAERA_FILE_VERSION);
+    word(file + SPHAERA_AT_HEADER, BYTES);
+    word(file + SPHAERA_AT_REGISTERS, SPHAERA_MACHINE_REGISTERS);
+    word(file + SPHAERA_AT_LINES, LINES);
+    uint8_t *registers = file + SPHAERA_HEADER_LEAST;
+    word(registers + 4 * SPHAERA_REG_PROFILE, PROFILE);
+    word(registers + 4 * SPHAERA_REG_EFFECTS, 1);
+    word(registers + 4 * SPHAERA_REG_TREE, SPHAERA_TREE_BALANCED);
+    word(registers + 4 * other, its);
+    word(registers + 4 * reg, value);
+    return BYTES + LINES * SPHAERA_LINE_BYTES + SPHAERA_CHECKSUM_BYTES;
+}
+
+#define SIZE ((uint64_t)LINES * SPHAERA_LINE_BYTES)
+#define REG(name) SPHAERA_REG_##name
+#define PART(name) SPHAERA_CORE_PARTS_##name
+
+static void load(void **state) {
+    (void)state;
+    const uint32_t none = REG(FRAME_W); /* a register for the host */
+    const uint32_t all = parts(2, 3, 4);
+    const struct {
+        uint32_t has, bits, reg, value, other, its;
+        uint64_t base;
+        int result;
+    } rows[] = {
+        /* as much as the core has, and less */
+        {all, 32, REG(MAX_DEPTH), 2, REG(N_LIGHTS), 3, 0x1000, SPHAERA_OK},
+        {all, 32, none, 1, none, 1, 0x1000, SPHAERA_OK},
+        /* one more than it has */
+        {all, 32, REG(MAX_DEPTH), 3, none, 0, 0x1000, SPHAERA_TOO_DEEP},
+        {all, 32, REG(N_LIGHTS), 4, none, 0, 0x1000, SPHAERA_TOO_MANY_LIGHTS},
+        {all, 32, REG(EFFECTS), 4, none, 0, 0x1000, SPHAERA_TOO_MUCH},
+        {all, 32, REG(PROFILE), 5, none, 0, 0x1000, SPHAERA_OTHER_WIDTHS},
+        /* each kind of tree on a core of each */
+        {all, 32, REG(TREE), SPHAERA_TREE_BIH, none, 0, 0x1000, SPHAERA_OTHER_TREE},
+        {all, 32, REG(TREE), SPHAERA_TREE_BRUTE, none, 0, 0x1000, SPHAERA_OTHER_TREE},
+        {all, 32, REG(TREE), SPHAERA_TREE_BOX4, none, 0, 0x1000, SPHAERA_OTHER_TREE},
+        {all | PART(ACCEL), 32, none, 0, none, 0, 0x1000, SPHAERA_OTHER_TREE},
+        {all | PART(ACCEL), 32, REG(TREE), SPHAERA_TREE_BRUTE, none, 0, 0x1000, SPHAERA_OK},
+        {all | PART(BOXES), 32, REG(TREE), SPHAERA_TREE_BOX4, none, 0, 0x1000, SPHAERA_OK},
+        {all | PART(BOXES), 32, REG(TREE), SPHAERA_TREE_BIH, none, 0, 0x1000, SPHAERA_OTHER_TREE},
+        /* ways of background separation; cones are counted in their own way alone */
+        {all, 32, REG(BG_MODE), 1, none, 0, 0x1000, SPHAERA_NO_BACKGROUND},
+        {all | PART(RECT), 32, REG(BG_MODE), 1, none, 0, 0x1000, SPHAERA_OK},
+        {all | PART(RECT), 32, REG(BG_MODE), 2, none, 0, 0x1000, SPHAERA_NO_BACKGROUND},
+        {all | PART(SPANS), 32, REG(BG_MODE), 2, REG(BG_COUNT), 9, 0x1000, SPHAERA_OK},
+        {all, 32, REG(BG_MODE), 3, REG(BG_COUNT), 4, 0x1000, SPHAERA_OK},
+        {all, 32, REG(BG_MODE), 3, REG(BG_COUNT), 5, 0x1000, SPHAERA_NO_BACKGROUND},
+        {parts(2, 3, 0), 32, REG(BG_MODE), 3, none, 0, 0x1000, SPHAERA_NO_BACKGROUND},
+        {all, 32, REG(COARSE), 2, none, 0, 0x1000, SPHAERA_OTHER_LEVELS},
+        /* the end of the address space: the last page fits, the next one does not */
+        {all, 32, none, 0, none, 0, 0x123, SPHAERA_MISPLACED},
+        {all, 32, none, 0, none, 0, 0xfffff000, SPHAERA_OK},
+        {all, 32, none, 0, none, 0, 0x100000000, SPHAERA_BEYOND},
+        {all, 40, none, 0, none, 0, 0x100000000, SPHAERA_OK},
+        {all, 40, none, 0, none, 0, 0xfffffff000, SPHAERA_OK},
+        {all, 40, none, 0, none, 0, 0x10000000000, SPHAERA_BEYOND},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        struct block b;
+        struct sphaera s;
+        uint8_t file[BYTES + SIZE + SPHAERA_CHECKSUM_BYTES] = {0};
+        opened(&s, &b, rows[i].has, rows[i].bits);
+        const uint32_t bytes = made(file, rows[i].reg, rows[i].value, rows[i].other, rows[i].its);
+        const int result = sphaera_load(&s, file, bytes, rows[i].base);
+        if (result != rows[i].result)
+            fail_msg("row %zu: %s, not: %s", i, sphaera_text(result), sphaera_text(rows[i].result));
+        if (result) {
+            assert_int_equal(b.writes + b.puts, 0);
+            continue;
+        }
+        assert_int_equal(b.address, rows[i].base);
+        assert_int_equal(b.count, SIZE);
+        assert_int_equal(b.words[SPHAERA_SCENE_BASE / 4], rows[i].base & 0xffffffff);
+        assert_int_equal(b.words[SPHAERA_ADDRESS_HIGH / 4] >> SPHAERA_ADDRESS_HIGH_SCENE_LSB,
+                         rows[i].base >> 32);
+    }
+}
+
+/* The end of a machine's memory, not its beginning alone. */
+static void load_end(void **state) {
+    (void)state;
+    struct block b;
+    struct sphaera s;
+    opened(&s, &b, 0, 32);
+    assert_false(beyond(&s, 0x100000000 - SIZE, SIZE));
+    assert_true(beyond(&s, 0x100000000 - SIZE + 1, SIZE));
+    assert_true(beyond(&s, UINT64_MAX, SIZE));
+}
+
+static void store(void **state) {
+    (void)state;
+    const struct {
+        uint64_t frames[3];
+        uint32_t stride, bits;
+        int result;
+    } rows[] = {
+        {{0, 0x40, 0xffffff00}, 256, 32, SPHAERA_OK},
+        {{0, 0x40, 0xffffff00}, 288, 32, SPHAERA_BEYOND}, /* its first row */
+        {{0, 0x20, 0x80}, 256, 32, SPHAERA_MISPLACED},
+        {{0, 0x40, 0x80}, 16, 32, SPHAERA_MISPLACED},
+        {{0x5600000000, 0x4000000040, 0xff00000080}, 256, 40, SPHAERA_OK},
+        {{0x5600000000, 0x40, 0x80}, 256, 32, SPHAERA_BEYOND},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        struct block b;
+        struct sphaera s;
+        opened(&s, &b, 0, rows[i].bits);
+        if (rows[i].bits > 32) b.words[SPHAERA_ADDRESS_HIGH / 4] = 0x12345678;
+        assert_int_equal(sphaera_store(&s, rows[i].frames, rows[i].stride, 0), rows[i].result);
+        if (rows[i].result) {
+            assert_int_equal(b.writes, 0);
+            continue;
+        }
+        const uint32_t low[3] = {b.words[SPHAERA_FRAME0 / 4], b.words[SPHAERA_FRAME1 / 4],
+                                 b.words[SPHAERA_FRAME2 / 4]};
+        const uint32_t high = b.words[SPHAERA_ADDRESS_HIGH / 4];
+        for (int k = 0; k < 3; k++)
+            assert_int_equal(low[k] | (uint64_t)(high >> 8 * k & 255) << 32, rows[i].frames[k]);
+        assert_int_equal(high >> 24, rows[i].bits > 32 ? 0x12 : 0); /* the scene's stay */
+    }
+}
+
+/* Each result has words of its own. */
+static void words(void **state) {
+    (void)state;
+    for (int i = SPHAERA_OK; i <= SPHAERA_OTHER_LEVELS; i++)
+        for (int k = SPHAERA_OK; k <= SPHAERA_OTHER_LEVELS + 1; k++)
+            if (i != k) assert_string_not_equal(sphaera_text(i), sphaera_text(k));
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(load), cmocka_unit_test(load_end),
+                                       cmocka_unit_test(store), cmocka_unit_test(words)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
