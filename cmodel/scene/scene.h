@@ -88,7 +88,7 @@ struct sph_frustum {
 /* An image and how it lies on spheres: longitude and latitude, poles along +-y, seam at -z. */
 struct sph_texture {
     char path[512];   /* of the image: the folder of the scene file and the name given there */
-    int colours;      /* SPH_COLOURS_*: of texture/mip.h */
+    int colours;      /* SPH_COLOURS_* */
     int wrap[2];      /* of s and t: 0 repeats, 1 stays at the edge */
     double repeat[2]; /* spheres: repeats around, and from pole to pole */
     double offset[2]; /* spheres: repeats added */
