@@ -89,7 +89,7 @@ static int build(const struct sph_scene *scene, struct sph_build_options *o,
                        : sph_build_kept(scene, o, 1, &bound, &choice, &to->machine, report, err);
     sph_mips_free(mips, scene->n_textures);
     _Static_assert(sizeof to->warning == sizeof report->warning, "the whole text");
-    if (!rc) memcpy(to->warning, report->warning, sizeof to->warning);
+    if (!rc) memcpy(to->warning, report->warning, sizeof to->warning), to->ledger = report->ledger;
     if (!rc && !o->widths) sph_choose_why(&choice, &bound, to->why, sizeof to->why);
     return rc;
 }
@@ -150,6 +150,10 @@ int sphaera_machine_height(const sphaera_machine *machine) {
 
 const char *sphaera_machine_profile(const sphaera_machine *machine) {
     return machine->machine.profile.name;
+}
+
+int sphaera_machine_record(const sphaera_machine *machine, int number, sphaera_record *record) {
+    return sph_api_record(&machine->ledger, number, record);
 }
 
 const char *sphaera_machine_warning(const sphaera_machine *machine) {

@@ -72,7 +72,6 @@ int tool_build_scene(const struct tool_source *source, const struct sph_scene *s
     struct sph_profile_choice choice;
     struct sph_build_report *report = &built->report;
     built->from_scene = 1;
-    built->skipped = scene->n_skipped;
     o.mips = mips;
     if (tool_frame_size(source, scene, &o, err)) return -1;
     int (*build)(const struct sph_scene *, struct sph_build_options *, int,

@@ -80,7 +80,6 @@ static int build_frame(struct run *run, uint32_t frame, struct tool_built *built
     memset(built, 0, sizeof *built);
     if (sph_scene_at(&run->rest, frame, &moved, err)) return -1;
     built->from_scene = 1;
-    built->skipped = moved.n_skipped;
     int rc = sph_build(&moved, &run->options, &built->machine, &built->report, err);
     if (!rc && run->options.numbers) { /* what it is built for is to find out what is met */
         rc = sph_census_add(&run->met, &moved, &run->options, &built->machine, &built->report, err);
@@ -284,9 +283,7 @@ static int import_one(const char *path, const struct tool_import_aff *how,
         sph_scene_free(&scene);
         return -1;
     }
-    if (scene.n_skipped)
-        fprintf(stderr, "sphaera: warning: %s: %u unsupported primitives left out\n", path,
-                scene.n_skipped);
+    print_ledger(&scene.ledger);
     const char *slash = strrchr(scene.path, '/');
     if (slash) memmove(scene.path, slash + 1, strlen(slash));
     return tool_write_scene(output, &scene, err);

@@ -134,7 +134,6 @@ struct tool_built {
     struct sph_machine machine;
     int from_scene; /* the fields below are set */
     struct sph_build_report report;
-    uint32_t skipped;                 /* unsupported primitives left out */
     struct sph_known_picture picture; /* of its widths */
     char profile_why[512];            /* empty if the profile was asked for */
 };

@@ -130,8 +130,11 @@ bent=$(($(wc -l <a.nff) + 1))
 "$s" build patch.nff --skip-unsupported -o patch.sph >patch.txt 2>&1
 check "a polygon that is not flat is cut in two and not left out" has "10 spheres, 2 triangles" \
     patch.txt
-check "... with a warning" has "patch.nff:$bent: the polygon is not flat, a corner is 0.0025 off" \
-    patch.txt
+check "... with a warning" has "patch.nff:$bent: used otherwise: polygon that is not" patch.txt
+check "... and the patch is told" \
+    has "patch.nff:$((bent + 5)): left out: record that is not" patch.txt
+fails 1 "--strict" "$s" build patch.nff --skip-unsupported --strict -o x.sph
+check "... names file and line" has "patch.nff:$bent: used otherwise: polygon" "$TMP/err"
 fails 1 "a patch without --skip-unsupported" "$s" build patch.nff -o x.sph
 "$s" build --help | tr -s ' \n' ' ' >help.txt
 check "--help says what is left out" \
@@ -332,8 +335,10 @@ done
 fails 2 "the scene's axes with background" "$s" build a.nff --axes scene --background rect -o x.sph
 fails 2 "refraction of depth 0" "$s" build g.nff --refract on --depth 0 -o x.sph
 fails 1 "a folder as scene" "$s" build . -o x.sph
-fails 1 "a scene as machine" "$s" info a.nff
-check "... says what makes one" has 'a.nff: is no machine file; .sphaera build. makes' "$TMP/err"
+check "info of a scene" "$s" info a.nff --json a.json
+fails 1 "rays of a scene" "$s" info a.nff --pixel 1,1
+check "... says what makes a machine" \
+    has 'a.nff: is an NFF scene: --pixel is for machine files; .sphaera build. makes' "$TMP/err"
 fails 1 "a scene to load" "$s" load --rom rom a.nff
 check "... says so, too" has 'a.nff: is no machine file; .sphaera build. makes' "$TMP/err"
 fails 1 "no machine" "$s" info nothing.nff
