@@ -105,8 +105,8 @@ MODEL_PACKAGES := expat gmp libpng mpfr
 SDL        := $(shell pkg-config --exists sdl2 && echo 1)
 
 # Programs that make a table, run by hand; never part of the library.
-GENERATORS := cmodel/math/gen_rsqrt.c cmodel/texture/gen_log2.c cmodel/shade/gen_power.c \
-              cmodel/shade/gen_power_rom.c
+GENERATORS := cmodel/math/gen_rsqrt.c cmodel/math/gen_reciprocal.c cmodel/texture/gen_log2.c \
+              cmodel/shade/gen_power.c cmodel/shade/gen_power_rom.c
 C_FILES    := $(sort $(shell find cmodel -name '*.c'))
 LIB_C      := $(filter-out cmodel/tool/% cmodel/image/% cmodel/sphaera/% cmodel/view/% \
                 $(GENERATORS),$(C_FILES))

@@ -93,7 +93,7 @@
 #define SPHAERA_ERRORS_WRONG_PROFILE_LSB 5u
 #define SPHAERA_ERRORS_WRONG_PROFILE 0x00000020u /* the machine has other widths: nothing is rendered */
 #define SPHAERA_ERRORS_LEFT_OUT_LSB 6u
-#define SPHAERA_ERRORS_LEFT_OUT 0x00000040u /* the camera is not the one for which something is left out: nothing is rendered */
+#define SPHAERA_ERRORS_LEFT_OUT 0x00000040u /* the camera is not the one that something is left out for: nothing is rendered */
 #define SPHAERA_ERRORS_SCENE_SLVERR_LSB 8u
 #define SPHAERA_ERRORS_SCENE_SLVERR 0x00000100u /* memory answered a read of the scene with SLVERR */
 #define SPHAERA_ERRORS_SCENE_DECERR_LSB 9u
@@ -323,7 +323,7 @@
     X(SPHAERA_ERRORS_BUS_ERROR, "memory answered with an error") \
     X(SPHAERA_ERRORS_MISSING_EFFECT, "EFFECTS or TREE asks for what was not elaborated: nothing is rendered") \
     X(SPHAERA_ERRORS_WRONG_PROFILE, "the machine has other widths: nothing is rendered") \
-    X(SPHAERA_ERRORS_LEFT_OUT, "the camera is not the one for which something is left out: nothing is rendered") \
+    X(SPHAERA_ERRORS_LEFT_OUT, "the camera is not the one that something is left out for: nothing is rendered") \
     X(SPHAERA_ERRORS_SCENE_SLVERR, "memory answered a read of the scene with SLVERR") \
     X(SPHAERA_ERRORS_SCENE_DECERR, "memory answered a read of the scene with DECERR") \
     X(SPHAERA_ERRORS_FRAME_SLVERR, "a write to the frame store was answered with SLVERR") \

@@ -7,9 +7,7 @@ module rt_bih_ray #(
     parameter W      = 16,
     parameter WD     = 17,
     parameter SLOTS  = 32,
-    parameter SHADOW = 1,
-    parameter BANKS  = 2,
-    parameter STEP   = 2
+    parameter SHADOW = 1
 ) (
     input  wire                     clk,
     input  wire                     rst,

@@ -14,7 +14,7 @@ module f_box #(
     input wire [3*XW-1:0] step,
     input wire [3*XW+2:0] more,
     input wire [3*SW-1:0] enter, leave,
-    input wire [2:0]      flat, open,
+    input wire [2:0]      fine, flat, open,
     input wire [14:0]     limit
 );
     localparam TW = `RT_BIH_T;
@@ -22,7 +22,8 @@ module f_box #(
     wire [14:0] near;
     rt_box u_dut (
         .clk(clk), .in_near_i(near_code), .in_far_i(far_code), .in_step_i(step), .in_more_i(more),
-        .late_enter_i(enter), .late_leave_i(leave), .late_flat_i(flat), .late_open_i(open),
+        .late_enter_i(enter), .late_leave_i(leave), .late_fine_i(fine),
+        .late_flat_i(flat), .late_open_i(open),
         .in_limit_i(limit), .out_pass_o(pass), .out_near_o(near)
     );
     reg [2:0]      age_q = 3'd0;
@@ -30,12 +31,13 @@ module f_box #(
     reg [3*XW-1:0] m_step;
     reg [3*XW+2:0] m_more;
     reg [3*SW-1:0] m_enter, m_leave;
-    reg [2:0]      m_flat, m_open;
+    reg [2:0]      m_fine, m_flat, m_open;
     reg [14:0]     m_limit;
     always @(posedge clk) begin
         if (age_q != 7) age_q <= age_q + 1'b1;
         if (age_q == 0) {m_near, m_far, m_step, m_more} <= {near_code, far_code, step, more};
-        if (age_q == 1) {m_enter, m_leave, m_flat, m_open} <= {enter, leave, flat, open};
+        if (age_q == 1) {m_enter, m_leave, m_fine, m_flat, m_open} <=
+            {enter, leave, fine, flat, open};
         if (age_q == 5) m_limit <= limit;
     end
 
@@ -51,9 +53,11 @@ module f_box #(
     generate
         for (i = 0; i < 3; i = i + 1) begin : g_axis
             assign first[SW*i +: SW] = (m_enter[SW*i +: SW] +
-                steps(m_near[7*i +: 7], m_step[XW*i +: XW])) | (m_flat[i] ? BEYOND : 0);
+                (steps(m_near[7*i +: 7], m_step[XW*i +: XW]) >>
+                 (m_fine[i] ? `RT_BOX_FINE : 0))) | (m_flat[i] ? BEYOND : 0);
             assign last[SW*i +: SW] = (m_leave[SW*i +: SW] +
-                mores(m_far[7*i +: 7], m_more[(XW+1)*i +: XW+1])) | (m_open[i] ? BEYOND : 0);
+                (mores(m_far[7*i +: 7], m_more[(XW+1)*i +: XW+1]) >>
+                 (m_fine[i] ? `RT_BOX_FINE : 0))) | (m_open[i] ? BEYOND : 0);
         end
     endgenerate
     wire signed [SW-1:0] in = greater(greater(0, first[0 +: SW]),

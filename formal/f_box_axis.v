@@ -24,12 +24,13 @@ module f_box_axis #(
     localparam X  = PW + 2;                          // bits of the model's words
     localparam signed [X-1:0] BEYOND = 1 << `RT_BIH_T, FRAME_T = 1 << (XW + 7);
     wire signed [SW-1:0] enter, leave;
-    wire                 flat, open, back;
+    wire                 fine, flat, open, back;
     wire [XW-1:0]        cross;
     wire [XW:0]          more;
     rt_box_axis #(.W(W)) u_dut (
         .clk(clk), .in_org_i(org), .in_step_i(step), .in_place_i(place), .in_pace_i(pace),
-        .out_enter_o(enter), .out_leave_o(leave), .out_flat_o(flat), .out_open_o(open),
+        .out_enter_o(enter), .out_leave_o(leave), .out_fine_o(fine),
+        .out_flat_o(flat), .out_open_o(open),
         .step_o(cross), .more_o(more), .back_o(back)
     );
     (* hierconn *) wire [PW-1:0]        \u_dut.s4_product_q ;
@@ -71,9 +72,11 @@ module f_box_axis #(
     wire signed [X-1:0] dut_at = \u_dut.s7_at_q ;
     wire signed [X-1:0] begins = at_7;
     wire signed [X-1:0] rest = begins >>> (GW - 3);
-    wire [GW-1:0]       m_cross = g >> (shift - s);
+    wire                m_fine = shift - s > `RT_BOX_FINE;
+    wire [GW-1:0]       m_cross = g >> (shift - s - (m_fine ? `RT_BOX_FINE : 0));
+    wire [GW-1:0]       m_whole = m_fine ? m_cross >> `RT_BOX_FINE : m_cross;
     wire signed [X-1:0] m_enter = begins + (begins < 0 ? rest : 0) - m_flat;
-    wire signed [X-1:0] m_leave = begins + 2 + (begins < 0 ? 0 : rest) + m_cross + 2;
+    wire signed [X-1:0] m_leave = begins + 5 + (begins < 0 ? 0 : rest) + m_whole;
     wire signed [X-1:0] enter_all = enter, leave_all = leave;
     reg product_is_q, back_is_q, step_is_q, at_is_q;     // only the last clock asserts
     always @(posedge clk) begin
@@ -87,7 +90,7 @@ module f_box_axis #(
         if (age_q == 8) begin
             assert (product_is_q && back_is_q && step_is_q && at_is_q);
             assert (enter_all == m_enter && leave_all == m_leave);
-            assert (flat == m_flat && open == (m_flat || m_pace[GW+6] || steep));
+            assert (fine == m_fine && flat == m_flat && open == (m_flat || m_pace[GW+6] || steep));
         end
     end
 endmodule

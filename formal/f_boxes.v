@@ -43,6 +43,8 @@ module f_boxes #(
         \u_dut.g_axis[1].u_axis.out_enter_o , \u_dut.g_axis[2].u_axis.out_enter_o ;
     (* hierconn *) wire [SW-1:0] \u_dut.g_axis[0].u_axis.out_leave_o ,
         \u_dut.g_axis[1].u_axis.out_leave_o , \u_dut.g_axis[2].u_axis.out_leave_o ;
+    (* hierconn *) wire \u_dut.g_axis[0].u_axis.out_fine_o ,
+        \u_dut.g_axis[1].u_axis.out_fine_o , \u_dut.g_axis[2].u_axis.out_fine_o ;
     (* hierconn *) wire \u_dut.g_axis[0].u_axis.out_flat_o ,
         \u_dut.g_axis[1].u_axis.out_flat_o , \u_dut.g_axis[2].u_axis.out_flat_o ;
     (* hierconn *) wire \u_dut.g_axis[0].u_axis.out_open_o ,
@@ -72,6 +74,9 @@ module f_boxes #(
     (* hierconn *) wire [3*SW-1:0] \u_dut.g_child[0].u_box.late_leave_i ,
         \u_dut.g_child[1].u_box.late_leave_i ,
         \u_dut.g_child[2].u_box.late_leave_i , \u_dut.g_child[3].u_box.late_leave_i ;
+    (* hierconn *) wire [2:0] \u_dut.g_child[0].u_box.late_fine_i ,
+        \u_dut.g_child[1].u_box.late_fine_i ,
+        \u_dut.g_child[2].u_box.late_fine_i , \u_dut.g_child[3].u_box.late_fine_i ;
     (* hierconn *) wire [2:0] \u_dut.g_child[0].u_box.late_flat_i ,
         \u_dut.g_child[1].u_box.late_flat_i ,
         \u_dut.g_child[2].u_box.late_flat_i , \u_dut.g_child[3].u_box.late_flat_i ;
@@ -137,6 +142,10 @@ module f_boxes #(
             \u_dut.g_axis[0].u_axis.out_leave_o }}} ==
             {\u_dut.g_child[3].u_box.late_leave_i , \u_dut.g_child[2].u_box.late_leave_i ,
             \u_dut.g_child[1].u_box.late_leave_i , \u_dut.g_child[0].u_box.late_leave_i } &&
+        {4{{\u_dut.g_axis[2].u_axis.out_fine_o , \u_dut.g_axis[1].u_axis.out_fine_o ,
+            \u_dut.g_axis[0].u_axis.out_fine_o }}} ==
+            {\u_dut.g_child[3].u_box.late_fine_i , \u_dut.g_child[2].u_box.late_fine_i ,
+            \u_dut.g_child[1].u_box.late_fine_i , \u_dut.g_child[0].u_box.late_fine_i } &&
         {4{{\u_dut.g_axis[2].u_axis.out_flat_o , \u_dut.g_axis[1].u_axis.out_flat_o ,
             \u_dut.g_axis[0].u_axis.out_flat_o }}} ==
             {\u_dut.g_child[3].u_box.late_flat_i , \u_dut.g_child[2].u_box.late_flat_i ,

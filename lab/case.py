@@ -103,7 +103,7 @@ def of_whole(profile, core):
     base = max((name for name in told if f"{core}+".startswith(f"{name}+")), key=len, default=None)
     own, standard = ((area.get((name, known.CORE, 1)) for name in (profile, "standard")))
     more = core[len(base):].split("+")[1:] if base else []
-    costs = known.words(area)
+    costs = known.words()
     if not base or not own or not all(word in costs for word in more):
         return None
     ratio = int(own[0]) / int(standard[0])

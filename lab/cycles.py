@@ -34,7 +34,7 @@ def foretold(tool, scene, profile, accel, pipes):
 def simulated(scene, profile, accel, pipes):
     """Clocks of the frame on the RTL."""
     words = [f"SCENE={scene}", f"PROFILE={profile}", f"ACCEL={accel}", f"PIPES={pipes}",
-             f"SIZE={SIZE}", f"LATENCY={LATENCY}", "BUILD_OPTIONS=--effects all"]
+             f"SIZE={SIZE}", f"LATENCY={LATENCY}", "BUILD_MORE=--effects all"]
     said("make", "sim", *words)
     folder = said("make", "-s", "sim-folder", *words).split()[-1]
     report = json.loads((Path(folder) / "report.json").read_text(encoding="utf-8"))

@@ -3,8 +3,9 @@
 """Writes FILE: a line a core of one engine for an ECP5, its cells from docs/results/data
 (accuracy.kinds, else accuracy.costs, whose profiles were synthesised together, else effects.costs,
 else effects.left_out) and its clock from clocks.tsv. Then a line a word that cores have, and what
-it adds: the median over pairs of cores that differ in it, and in what is known before, alone; of
-words that no pair tells, what the whole core loses without (effects.prices)."""
+it adds: the median over pairs of cores of a table that differ in it, and in what is known before,
+alone; of words that no pair tells, what the whole core loses without (effects.prices)."""
+import itertools
 import re
 import statistics
 from functools import lru_cache
@@ -17,23 +18,22 @@ HEAD = """/* known_table.h - generated from docs/results/data by `python3 -m lab
  * SPDX-License-Identifier: Apache-2.0
  */
 """
-CORES = """/* profile, effects, pipes, LUT4eq, MULT18X18D, DP16KD, worst, median, best MHz, seeds; nothing is
- * estimated */
+TABLE = """/* profile, effects, pipes, LUT4eq, MULT18X18D, DP16KD, worst, median, best MHz, seeds */
 #define SPH_KNOWN_CORES \\
 """
-WORDS = """/* word, what it adds to a core of profile standard: LUT4eq, MULT, DP16KD; brings points */
+WORDS = """/* word, what it adds to a core of profile standard: LUT4eq, MULT, DP16KD; points */
 #define SPH_KNOWN_WORDS \\
 """
-POINTS = {"reflect", "lights", "interpenetrate", "texture", "refract"}  # need hit points, normals
+POINTS = {"reflect", "lights", "interpenetrate", "texture", "refract"}  # need hit points
 KEY = re.compile(r"(?P<profile>[a-z]+)-ecp5-(?P<effects>[a-z0-9+]+)-engines1"
                  r"(-pipes(?P<pipes>\d))?$")
 
 
 @lru_cache(maxsize=None)
-def cells():
+def cells(tables=("effects.left_out", "effects.costs", "accuracy.costs", "accuracy.kinds")):
     """{(profile, effects, pipes): LUT4eq, MULT, DP16KD}"""
     found = {}
-    for table in "effects.left_out", "effects.costs", "accuracy.costs", "accuracy.kinds":
+    for table in tables:
         head, rows = data.read(table)
         for row in rows:
             cell = dict(zip(head, (word.strip("`") for word in row)))
@@ -70,30 +70,35 @@ def priced():
         for cell in cells_of if re.fullmatch("without [a-z]+", cell["core"])}
 
 
-def told(cores, known):
+def pairs():
+    """(words, counts) of two cores that were synthesised together, in one profile."""
+    for table, profile in (("effects.costs", "standard"), ("effects.left_out", "reference")):
+        cores = [(parts(core), list(map(int, counts)))
+                 for (of, core, _), counts in cells((table,)).items() if of == profile]
+        yield from itertools.permutations(cores, 2)
+
+
+def told(known):
     """{how many words differ: {word: counts of each pair}} of words that are not known."""
     found = {}
-    for more, larger in cores:
-        for less, smaller in cores:
-            differ = more ^ less
-            new = differ - known.keys()
-            if len(new) != 1 or not new <= more:
-                continue
-            word = new.pop()
-            rest = [sum(known[other][i] * (1 if other in more else -1)
-                        for other in differ - {word}) for i in range(3)]
-            found.setdefault(len(differ), {}).setdefault(word, []).append(
-                [a - b - c for a, b, c in zip(larger, smaller, rest)])
+    for (more, larger), (less, smaller) in pairs():
+        differ = more ^ less
+        new = differ - known.keys()
+        if len(new) != 1 or not new <= more:
+            continue
+        word = new.pop()
+        rest = [sum(known[other][i] * (1 if other in more else -1)
+                    for other in differ - {word}) for i in range(3)]
+        found.setdefault(len(differ), {}).setdefault(word, []).append(
+            [a - b - c for a, b, c in zip(larger, smaller, rest)])
     return found
 
 
-def words(area):
+def words():
     """{word: LUT4eq, MULT, DP16KD that it adds}"""
-    cores = [(parts(core), list(map(int, counts))) for (profile, core, _), counts in area.items()
-             if profile == "standard"]
     known = {}
     while True:
-        found = told(cores, known)
+        found = told(known)
         if not found:
             return priced() | known
         for word, counts in found[min(found)].items():
@@ -107,6 +112,6 @@ def main(file):
                          + clock.get((profile, effects, pipes), ["0"] * 4)) + ", 0, 0}"
              for profile, effects, pipes in sorted(area.keys() | clock.keys())]
     costs = [f'    {{"{word}", {", ".join(map(str, counts))}, {int(word in POINTS)}}}'
-             for word, counts in sorted(words(area).items())]
-    intact.write(file, HEAD + CORES + ", \\\n".join(lines) + "\n" + WORDS
+             for word, counts in sorted(words().items())]
+    intact.write(file, HEAD + TABLE + ", \\\n".join(lines) + "\n" + WORDS
                  + ", \\\n".join(costs) + "\n")

@@ -1,8 +1,8 @@
 # price.py - the table and the picture of make price
 # SPDX-License-Identifier: Apache-2.0
-"""FOLDER has price.json of `sphaera price`; with CELLS=1 cores whose cells are estimated there or not
-known are synthesised (kept in BUILD/synth, and taken from there in any case), with RTL=1 every row
-is simulated. Writes price.json anew, price.svg and price.html, and prints the table. What is
+"""FOLDER has price.json of `sphaera price`; with CELLS=1 cores whose cells are estimated there or
+not known are synthesised (kept in BUILD/synth, and taken from there in any case), with RTL=1 every
+row is simulated. Writes price.json anew, price.svg and price.html, and prints the table. What is
 estimated has ~ before it, what is not known is -."""
 import json
 import os

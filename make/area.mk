@@ -27,8 +27,8 @@ YOSYS    ?= yosys
 V        ?= 0
 Q        := $(if $(filter 1,$(V)),,@)
 DEF      := cmodel/machine/machine.def
-S        := $B/synth$(if $(filter-out yosys,$(YOSYS)),-$(or $(word 2,$(shell '$(YOSYS)' -V)),$(error \
-                synth: $(YOSYS) does not say its version)))
+S        := $B/synth$(if $(filter-out yosys,$(YOSYS)),-$(or $(word 2,$(shell '$(YOSYS)' -V)), \
+                $(error synth: $(YOSYS) does not say its version)))
 
 KNOWN_PROFILES := $(shell awk '$$1 == "profile" { print $$2 }' $(DEF))
 KNOWN_TARGETS  := $(shell sed -n "s/^targets='\(.*\)'/\1/p" synth/target.sh)

@@ -11,7 +11,7 @@
 
 FUZZ       := $B/fuzz
 FUZZ_NAMES := nff aff pdb machine frame options image
-FUZZ_C     := tests/fuzz/change.c tests/fuzz/common.c tests/fuzz/driver.c tests/fuzz/scene.c
+FUZZ_C     := tests/fuzz/driver.c tests/fuzz/common.c tests/fuzz/driver.c tests/fuzz/scene.c
 AFL_C      := tests/fuzz/afl.c tests/fuzz/common.c tests/fuzz/scene.c
 # The harness of options has the tool in it, parted from glibc's argp, and no pictures.
 FUZZ_WRAP  := -Wl,--wrap=argp_parse -Wl,--wrap=argp_error -Wl,--wrap=guard_start

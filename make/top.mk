@@ -6,7 +6,7 @@ BUS_PACKAGES := systemrdl-compiler==1.33.0 cocotb==2.1.0 cocotbext-axi==0.1.28
 bus_python = $(BUS_VENV)/bin/python
 
 # The harness of rt_top: two machines, each width of the buses.
-TOP_CORE   := shadow+reflect2+lights2+inside+rect+spans
+TOP_CORE   := shadow+reflect2+lights2+inside+camera+rect+spans
 TOP_SCENES := paper5 interpenetrating
 TOP_RUNS   := $(TOP_SCENES:%=$B/top/%.sph)
 top_tool    = flock $B/sim/.tools.lock env -u MAKEFLAGS -u MFLAGS $(MAKE) -s --no-print-directory \

@@ -29,6 +29,7 @@ rtl/math/rt_pool.v
 rtl/math/rt_product.v
 rtl/math/rt_quotient.v
 rtl/math/rt_quotient_pool.v
+rtl/math/rt_reciprocal_rom.v
 rtl/math/rt_rsqrt_rom.v
 rtl/math/rt_square.v
 rtl/math/rt_unit.v

@@ -11,7 +11,7 @@
 #include "cone.h"
 
 extern "C" {
-#include "pixel/walk.h"
+#include "pixel/background.h"
 }
 
 namespace bench {

@@ -58,7 +58,10 @@ static inline uint32_t check_boxes(const struct sph_scene *s, const struct sph_m
     struct sph_ball *balls = malloc((s->n_spheres + 1) * sizeof *balls);
     assert_non_null(balls);
     assert_int_equal(sph_grid_fit(s, m->profile.w, axes_of(m), &grid, NULL), 0);
-    assert_int_equal(sph_grid_spheres(&grid, s, &m->profile, balls, &smallest, NULL), 0);
+    uint8_t *lost = calloc((size_t)s->n_spheres + 1, 1);
+    assert_non_null(lost);
+    assert_int_equal(sph_grid_spheres(&grid, s, &m->profile, balls, lost, &smallest, NULL), 0);
+    free(lost);
     assert_int_equal(sph_grid_facets(&grid, s, &m->profile, &facets, NULL), 0);
     struct sph_plants plants = {balls,    s->n_spheres,          &facets, &m->profile,
                                 grid.eye, m->regs[SPH_REG_TREE], NULL};

@@ -45,12 +45,14 @@ static inline void put_file(const char *text, size_t n) {
 #define MAT "f 1 0 0 .5 .5 10 0 1\n" /* CAM has lines 1 to 7; this is line 8 */
 #define LIGHT "l 1 2 3\n"
 
+enum { SKIP = 1, STRICT = 2 }; /* read with skip_unsupported, with strict */
+
 /* Input that must give a message with file, line and reason. */
 struct bad {
     const char *name, *text;
     int line; /* 0: the message has no line number */
     const char *says;
-    int skip;   /* read with skip_unsupported */
+    int how;    /* SKIP, STRICT */
     int length; /* 0: strlen(text) */
 };
 
@@ -64,6 +66,11 @@ static inline void assert_message(const struct bad *bad, const struct sph_error 
 
 static inline void put_bad(const struct bad *bad) {
     put_file(bad->text, bad->length ? (size_t)bad->length : strlen(bad->text));
+}
+
+static inline struct sph_read_options bad_options(const struct bad *bad) {
+    return (struct sph_read_options){.skip_unsupported = bad->how & SKIP,
+                                     .strict = bad->how & STRICT};
 }
 
 static inline void assert_same_bytes(const void *p, const void *q, size_t n) {

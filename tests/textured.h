@@ -21,7 +21,7 @@ static inline uint32_t level_colour(int level) {
 
 /* A chain whose texels the caller frees; random: noise instead of level_colour(). */
 static inline struct sph_mip textured_mip(int width, int height, struct sph_rng *random) {
-    struct sph_mip mip = {width, height, sph_mip_levels(width, height), NULL};
+    struct sph_mip mip = {width, height, sph_mip_levels(width, height), 0, NULL};
     mip.texels = calloc(sph_mip_at(&mip, mip.levels) + 1, sizeof *mip.texels);
     assert_non_null(mip.texels);
     for (int l = 0; l < mip.levels; l++)

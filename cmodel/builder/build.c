@@ -182,15 +182,20 @@ struct parts {
     struct sph_ball *balls; /* of every id: spheres, then facets */
     struct sph_facets facets;
     struct sph_tree tree;
+    uint8_t *lost; /* of every sphere: how it ends in the ledger, 0: it is on the grid */
 };
 
-/* Spheres and facets on the grid; balls[id] for all ids, and numbers[id] unless it is NULL. */
+/* Spheres and facets on the grid; balls[id] for all ids, and numbers[id] unless it is NULL. 1: some
+ * spheres are lost on every grid. */
 static int quantise(const struct sph_scene *scene, const struct sph_grid *grid,
-                    const struct sph_profile *profile, struct parts *parts, uint32_t *numbers,
+                    const struct sph_build_options *o, struct parts *parts,
                     struct sph_build_report *report, struct sph_error *err) {
-    if (sph_grid_spheres(grid, scene, profile, parts->balls, &report->smallest_radius, err) ||
-        sph_grid_facets(grid, scene, profile, &parts->facets, err))
-        return -1;
+    const struct sph_profile *profile = sph_build_profile(o);
+    uint32_t *numbers = o->numbers;
+    int lost = sph_grid_spheres(grid, scene, profile, parts->balls, parts->lost,
+                                &report->smallest_radius, err);
+    if (lost) return lost;
+    if (sph_grid_facets(grid, scene, profile, &parts->facets, err)) return -1;
     for (uint32_t i = 0; i < parts->facets.n; i++)
         parts->balls[scene->n_spheres + i] = parts->facets.list[i].ball;
     for (uint32_t i = 0; numbers && i < scene->n_spheres + parts->facets.n; i++)
@@ -200,12 +205,15 @@ static int quantise(const struct sph_scene *scene, const struct sph_grid *grid,
     report->loose = parts->facets.n_loose;
     report->facets = parts->facets.n;
     sph_warn_coarse(scene, profile, grid->axes, report);
-    sph_warn_left_out(scene, profile, &parts->facets, report);
-    sph_warn_bent(scene, report);
-    return 0;
+    return sph_note_left_out(scene, &parts->facets, report, err) ||
+                   sph_note_limited(scene, report, err) ||
+                   sph_note_images(scene, o->mips, &report->ledger, err)
+               ? -1
+               : 0;
 }
 
-/* The work of sph_build() on memory that the caller frees. */
+/* The work of sph_build() on memory that the caller frees. 1: spheres are lost, nothing is built.
+ */
 static int build(const struct sph_scene *scene, const struct sph_build_options *o,
                  struct parts *parts, struct sph_machine *m, struct sph_build_report *report,
                  struct sph_error *err) {
@@ -223,7 +231,8 @@ static int build(const struct sph_scene *scene, const struct sph_build_options *
     report->grid_step = grid.step;
     report->eye = grid.seen_from;
     sph_warn_eye(scene, m, report);
-    if (quantise(scene, &grid, profile, parts, o->numbers, report, err)) return -1;
+    int lost = quantise(scene, &grid, o, parts, report, err);
+    if (lost) return lost;
 
     uint32_t n = scene->n_spheres;
     struct sph_plants plants = {balls, n, facets, profile, grid.eye, o->tree, &rays};
@@ -233,7 +242,7 @@ static int build(const struct sph_scene *scene, const struct sph_build_options *
     sph_progress_at(o->progress, TREE);
 
     if (sph_emit_background(tree, balls, &rays, o, m, report, err)) return -1;
-    sph_emit_colours(scene, m, report);
+    sph_emit_colours(scene, m);
     int mended =
         o->traverse == SPH_BUILD_NEAREST || (o->interpenetrate != SPH_OFF && o->inside != SPH_OFF);
     struct sph_world world = {balls, n, profile, grid.eye, facets, mended};
@@ -253,6 +262,44 @@ static int build(const struct sph_scene *scene, const struct sph_build_options *
     return o->later ? 0 : sph_warn_cut(scene, m, report, err);
 }
 
+/* Builds what is left of a scene without the spheres that are lost on every grid. */
+static int build_rest(const struct sph_scene *scene, const struct sph_build_options *options,
+                      const uint8_t *lost, struct sph_machine *machine,
+                      struct sph_build_report *report, struct sph_error *err) {
+    struct sph_scene rest = *scene;
+    struct sph_build_options o = *options;
+    struct sph_unmet unmet = {0};
+    uint32_t n = scene->n_spheres, *was = malloc(((size_t)n + 1) * sizeof *was);
+    uint8_t *prims = malloc((size_t)n + scene->n_facets + 1);
+    rest.spheres = malloc(((size_t)n + 1) * sizeof *rest.spheres);
+    int rc = was && prims && rest.spheres ? 0 : sph_fail(err, "out of memory for %u spheres", n);
+    rest.n_spheres = 0;
+    for (uint32_t i = 0; i < n && !rc; i++) {
+        if (lost[i]) {
+            rc = sph_ledger_note(&rest.ledger, (enum sph_read)lost[i], scene->path,
+                                 scene->spheres[i].line, err);
+            continue;
+        }
+        if (o.unmet) prims[rest.n_spheres] = o.unmet->prims[i];
+        was[rest.n_spheres] = i;
+        rest.spheres[rest.n_spheres++] = scene->spheres[i];
+    }
+    if (!rc && o.unmet) {
+        unmet = *o.unmet;
+        memcpy(prims + rest.n_spheres, unmet.prims + n, scene->n_facets);
+        unmet.prims = prims;
+        o.unmet = &unmet;
+    }
+    if (!rc) rc = sph_build(&rest, &o, machine, report, err);
+    for (int32_t k = 0; !rc && o.numbers && k < machine->regs[SPH_REG_N_PRIMS]; k++)
+        o.numbers[k] =
+            o.numbers[k] < rest.n_spheres ? was[o.numbers[k]] : o.numbers[k] - rest.n_spheres + n;
+    free(rest.spheres);
+    free(prims);
+    free(was);
+    return rc;
+}
+
 int sph_build(const struct sph_scene *scene, const struct sph_build_options *options,
               struct sph_machine *machine, struct sph_build_report *report, struct sph_error *err) {
     double start = seconds();
@@ -260,6 +307,7 @@ int sph_build(const struct sph_scene *scene, const struct sph_build_options *opt
     struct parts parts = {0};
     memset(machine, 0, sizeof *machine);
     memset(report, 0, sizeof *report);
+    report->ledger = scene->ledger;
     struct sph_build_options o = *options;
     sph_choose_tree(scene, &o, report);
     if (o.axes == SPH_AXES_AUTO) o.axes = sph_axes_of(scene, &o);
@@ -267,12 +315,16 @@ int sph_build(const struct sph_scene *scene, const struct sph_build_options *opt
     uint64_t n = (uint64_t)scene->n_spheres + scene->n_facets;
     int threads = sph_parallel_if(n >= SPH_BUILD_SHARED);
     parts.balls = malloc((n + 1) * sizeof *parts.balls);
-    int result = parts.balls ? build(scene, &o, &parts, machine, report, err)
-                             : sph_fail(err, "out of memory for %u spheres", scene->n_spheres);
+    parts.lost = calloc((size_t)scene->n_spheres + 1, 1);
+    int result = parts.balls && parts.lost
+                     ? build(scene, &o, &parts, machine, report, err)
+                     : sph_fail(err, "out of memory for %u spheres", scene->n_spheres);
     free(parts.balls);
     sph_tree_free(&parts.tree);
     sph_facets_free(&parts.facets);
     sph_parallel_most(threads);
+    if (result > 0) result = build_rest(scene, options, parts.lost, machine, report, err);
+    free(parts.lost);
     if (result) sph_machine_free(machine);
     report->build_seconds = seconds() - start;
     report->cpu_seconds = (double)(clock() - busy) / CLOCKS_PER_SEC;

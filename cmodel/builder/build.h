@@ -8,7 +8,6 @@
 #define SPH_BUILD_H
 
 #include "builder/grid/axes.h"
-#include "builder/grid/eye.h"
 #include "builder/tree/refit.h"
 #include "builder/texture/keep.h"
 #include "builder/tree/tree.h"
@@ -117,13 +116,14 @@ struct sph_build_report {
     int refitted;           /* the tree is that of the frame before, in new places */
     double tree_cost;       /* then: its cost over that of the tree when it was built; else 1 */
     uint32_t facets, loose; /* primitives that are no spheres; of them, without bounds */
-    double build_seconds, cpu_seconds; /* all of build; of processor, of all threads */
-    double tree_seconds;               /* of processor, of tree and memory image alone */
-    struct sph_bih_stats bih;          /* with TREE_BIH and TREE_BRUTE */
-    char warning[8192];   /* empty if none; finer profiles, clamped colours, effects left out */
-    struct sph_cut cut;   /* of the planes */
-    struct sph_ball root; /* grid units: holds every primitive */
-    int bg_points;        /* spans: meridians that were needed, 0: none */
+    double build_seconds, cpu_seconds;   /* all of build; of processor, of all threads */
+    double tree_seconds;                 /* of processor, of tree and memory image alone */
+    struct sph_bih_stats bih;            /* with TREE_BIH and TREE_BRUTE */
+    struct sph_ledger ledger;            /* the scene's, and what the grid leaves out or limits */
+    char warning[8192];                  /* empty if none; finer profiles, effects left out */
+    struct sph_cut cut;                  /* of the planes */
+    struct sph_ball root;                /* grid units: holds every primitive */
+    int bg_points;                       /* spans: meridians that were needed, 0: none */
     struct sph_work bg_work, bg_check;   /* spans, exact: set-up; spans: proof that they cover */
     char background[512];                /* how the separation went, one line each */
     uint64_t bases_computed, bases_kept; /* P_b of textured primitives */
@@ -137,8 +137,8 @@ struct sph_build_report {
 const char *sph_build_contradiction(const struct sph_build_options *o);
 
 /* Builds the machine. 0, or -1 with "file:line: ..." (a sphere that does not fit the grid, zero
- * radius on the grid, exact duplicates, more than SPH_MAX_PLANES planes, raster too wide for the
- * profile, effects that exclude each other). */
+ * radius on the grid or two of one place, if a finer profile would do; more than SPH_MAX_PLANES
+ * planes, raster too wide for the profile, effects that exclude each other). */
 int sph_build(const struct sph_scene *scene, const struct sph_build_options *options,
               struct sph_machine *machine, struct sph_build_report *report, struct sph_error *err);
 

@@ -62,23 +62,15 @@ double sph_material_weight(const struct sph_material *material) {
     return fmin(1, ks < 1 ? kd / (1 - ks) : kd);
 }
 
-int32_t sph_u1_15(double c, int *clamped) {
-    double limit = 65535.0 / SPH_COLOUR_ONE;
-    *clamped += c > limit || c < 0;
-    return (int32_t)lround(SPH_COLOUR_ONE * fmin(fmax(c, 0), limit));
+int32_t sph_u1_15(double c) {
+    return (int32_t)lround(SPH_COLOUR_ONE * fmin(fmax(c, 0), SPH_COLOUR_MOST));
 }
 
-void sph_emit_colours(const struct sph_scene *scene, struct sph_machine *machine,
-                      struct sph_build_report *report) {
+void sph_emit_colours(const struct sph_scene *scene, struct sph_machine *machine) {
     int32_t *regs = machine->regs;
-    int clamped = 0;
     for (int i = 0; i < 3; i++) {
         double c = fmin(fmax(scene->background[i], 0), 1);
-        regs[SPH_REG_AMBIENT_R + i] = sph_u1_15(scene->ambient[i], &clamped);
+        regs[SPH_REG_AMBIENT_R + i] = sph_u1_15(scene->ambient[i]);
         regs[SPH_REG_BG_COLOUR] |= (int32_t)(lround(255 * c) << 8 * i);
     }
-    if (clamped)
-        sph_note(report->warning, sizeof report->warning,
-                 "%s: %d ambient colours are outside 0..1.99997 and were clamped\n", scene->path,
-                 clamped);
 }

@@ -56,9 +56,8 @@ void sph_emit_prims(const struct sph_scene *scene, const struct sph_ball *balls,
 /* The words of a material with Whitted's sum. */
 void sph_emit_sum(uint32_t *line, const struct sph_material *material);
 
-/* Ambient and background colours. Appends to report->warning what had to be clamped. */
-void sph_emit_colours(const struct sph_scene *scene, struct sph_machine *machine,
-                      struct sph_build_report *report);
+/* Ambient and background colours. */
+void sph_emit_colours(const struct sph_scene *scene, struct sph_machine *machine);
 
 /* Mirror weight of a material in 1/256 (0..256), and its colour weight: what rgb is multiplied
  * by so that (1 - kr/256) * colour = kd * rgb; 1 with Whitted's sum. */

@@ -5,6 +5,7 @@
 
 #include <math.h>
 
+#include "builder/effects/effects.h"
 #include "builder/emit.h"
 #include "builder/grid/grid.h"
 
@@ -33,34 +34,50 @@ void sph_warn_eye(const struct sph_scene *scene, const struct sph_machine *machi
         eye->off * hypot(machine->regs[SPH_REG_FRAME_W], machine->regs[SPH_REG_FRAME_H]) / 2);
 }
 
-void sph_warn_left_out(const struct sph_scene *scene, const struct sph_profile *profile,
-                       const struct sph_facets *facets, struct sph_build_report *report) {
-    if (facets->n_twice)
-        sph_note(
-            report->warning, sizeof report->warning,
-            "%s:%u: the first of %u triangles that stand in the scene twice: the second is left "
-            "out\n",
-            scene->path, scene->facets[facets->first_twice].line, facets->n_twice);
-    if (facets->n_merged)
-        sph_note(report->warning, sizeof report->warning,
-                 "%s:%u: the first of %u triangles that the grid of profile %s merges with others, "
-                 "as does that of every finer one: they are left out\n",
-                 scene->path, scene->facets[facets->first_merged].line, facets->n_merged,
-                 profile->name);
-    if (!facets->n_empty) return;
-    sph_note(report->warning, sizeof report->warning,
-             "%s:%u: the first of %u triangles that have no area on the grid of profile %s and are "
-             "left out: no ray would meet them\n",
-             scene->path, scene->facets[facets->first_empty].line, facets->n_empty, profile->name);
+int sph_note_left_out(const struct sph_scene *scene, const struct sph_facets *facets,
+                      struct sph_build_report *report, struct sph_error *err) {
+    const struct {
+        enum sph_read kind;
+        uint32_t n, first;
+    } out[] = {{SPH_READ_TRIANGLE_TWICE, facets->n_twice, facets->first_twice},
+               {SPH_READ_TRIANGLE_GRID, facets->n_merged, facets->first_merged},
+               {SPH_READ_NO_AREA_GRID, facets->n_empty, facets->first_empty}};
+    for (size_t i = 0; i < sizeof out / sizeof *out; i++)
+        if (out[i].n && sph_ledger_add(&report->ledger, out[i].kind, out[i].n, scene->path,
+                                       scene->facets[out[i].first].line, 0, err))
+            return -1;
+    return 0;
 }
 
-void sph_warn_bent(const struct sph_scene *scene, struct sph_build_report *report) {
-    if (!scene->n_bent) return;
-    sph_note(report->warning, sizeof report->warning,
-             "%s:%u: the polygon is not flat, a corner is %.3g off its plane: it is cut into "
-             "triangles that meet at an angle%s\n",
-             scene->path, scene->bent_line, scene->bent,
-             scene->n_bent > 1 ? "; so are others, nearer to flat" : "");
+/* Whether a colour of light is more or less than registers hold. */
+static int beyond(const double rgb[3]) {
+    for (int i = 0; i < 3; i++)
+        if (rgb[i] < 0 || rgb[i] > SPH_COLOUR_MOST) return 1;
+    return 0;
+}
+
+int sph_note_images(const struct sph_scene *scene, const struct sph_mip *mips,
+                    struct sph_ledger *ledger, struct sph_error *err) {
+    for (uint32_t i = 0; mips && i < scene->n_textures; i++) {
+        const struct sph_texture *t = &scene->textures[i];
+        int told = !mips[i].decoded || t->colours != SPH_COLOURS_OF_FILE;
+        if (sph_ledger_note(ledger, told ? SPH_READ_IMAGE : SPH_READ_SRGB, scene->path, t->line,
+                            err))
+            return -1;
+    }
+    return 0;
+}
+
+int sph_note_limited(const struct sph_scene *scene, struct sph_build_report *report,
+                     struct sph_error *err) {
+    for (int l = 0; l <= scene->n_lights; l++) {
+        int ambient = l == scene->n_lights;
+        if (beyond(ambient ? scene->ambient : scene->lights[l].rgb) &&
+            sph_ledger_note(&report->ledger, SPH_READ_LIGHT_LIMITED, scene->path,
+                            ambient ? 0 : scene->lights[l].line, err))
+            return -1;
+    }
+    return 0;
 }
 
 /* A part in words: percent, or less than a tenth of one. */
@@ -88,9 +105,6 @@ int sph_warn_cut(const struct sph_scene *scene, const struct sph_machine *machin
                  "about %s%s see it so in mirrors or glass; ",
                  percent(cut->later, cut->sample, part), cut->beyond ? " more" : " of the pixels");
     sph_note(report->warning, sizeof report->warning,
-             "its light may be off there by more than 8 of 255, and so is an image on it%s\n",
-             machine->profile.w < sph_profiles[SPH_PROFILES - 1].w
-                 ? ". A wider profile has a larger grid"
-                 : "");
+             "its light may be off there by more than 8 of 255, and so is an image on it\n");
     return 0;
 }

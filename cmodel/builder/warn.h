@@ -17,12 +17,18 @@ void sph_warn_coarse(const struct sph_scene *scene, const struct sph_profile *pr
 void sph_warn_eye(const struct sph_scene *scene, const struct sph_machine *machine,
                   struct sph_build_report *report);
 
-/* Triangles that are left out: without area on the grid, or twice in the scene or on the grid. */
-void sph_warn_left_out(const struct sph_scene *scene, const struct sph_profile *profile,
-                       const struct sph_facets *facets, struct sph_build_report *report);
+/* Notes in the ledger triangles that are left out: without area on the grid, or twice in the scene
+ * or on the grid. -1 under `strict`. */
+int sph_note_left_out(const struct sph_scene *scene, const struct sph_facets *facets,
+                      struct sph_build_report *report, struct sph_error *err);
 
-/* Polygons that were cut into triangles that do not lie in one plane. */
-void sph_warn_bent(const struct sph_scene *scene, struct sph_build_report *report);
+/* The same of the images of the scene: what they were decoded from. mips may be NULL. */
+int sph_note_images(const struct sph_scene *scene, const struct sph_mip *mips,
+                    struct sph_ledger *ledger, struct sph_error *err);
+
+/* The same of lights and ambient light beyond what registers hold. */
+int sph_note_limited(const struct sph_scene *scene, struct sph_build_report *report,
+                     struct sph_error *err);
 
 /* Planes that the frame sees beyond the machine's grid; sets report->cut. -1 with a message if
  * memory is out. */

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 
 #include "machine/camera.h"
-#include "pixel/walk.h"
+#include "pixel/background.h"
 #include "prim/prim.h"
 #include "shade/material.h"
 #include "shade/surface.h"

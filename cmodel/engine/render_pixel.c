@@ -6,7 +6,7 @@
 #include <stddef.h>
 #include <string.h>
 
-#include "pixel/walk.h"
+#include "pixel/background.h"
 #include "engine/render_light.h"
 #include "shade/colour.h"
 #include "shade/refract.h"
@@ -138,9 +138,9 @@ struct leaving {
 };
 
 /* The rays that leave a surface, unless it is as deep as they go. */
-static struct leaving leave(const struct sph_job *j, const struct branch *at,
-                            const struct sph_hit *hit, const struct sph_surface *s,
-                            const struct sph_shading *shading) {
+static struct leaving leaving_rays(const struct sph_job *j, const struct branch *at,
+                                   const struct sph_hit *hit, const struct sph_surface *s,
+                                   const struct sph_shading *shading) {
     struct leaving l = {0};
     if (at->depth >= j->m->regs[SPH_REG_MAX_DEPTH]) return l;
     uint32_t least = (uint32_t)j->m->regs[SPH_REG_LEAST_WEIGHT];
@@ -171,7 +171,7 @@ static struct leaving shade(const struct sph_job *j, struct branch *at, const st
             SPH_NOTE(j->stages, SPH_STAGE_PATH, 0, (sph_i128)at->length);
         uint32_t tint = texel(j, hit, prim, s, at->length);
         sph_job_light(j, &at->ray, hit, s, &shading, tint, colour, trail);
-        l = leave(j, at, hit, s, &shading);
+        l = leaving_rays(j, at, hit, s, &shading);
         if (j->trail && j->trail->depth <= at->depth) j->trail->depth = at->depth + 1;
     } else {
         for (int i = 0; i < 3; i++)

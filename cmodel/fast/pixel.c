@@ -8,7 +8,7 @@
 
 #include "engine/render_pixel.h"
 #include "fast/path.h"
-#include "pixel/walk.h"
+#include "pixel/background.h"
 #include "prim/sphere.h"
 #include "shade/colour.h"
 #include "shade/material.h"

@@ -9,7 +9,7 @@
 #include "fast/path.h"
 #include "fast/pixel.h"
 #include "fast/prepare.h"
-#include "pixel/walk.h"
+#include "pixel/background.h"
 #include "shade/colour.h"
 
 struct tile {

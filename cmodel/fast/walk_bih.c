@@ -136,7 +136,7 @@ struct sph_hit sph_fast_walk_bih(const struct sph_fast *f, const struct sph_ray 
     struct walk w = {.f = f, .query = sph_fast_ray_query(f, ray, c, errors)};
     struct place at = {f->root, 0, {0, SPH_BIH_NO_BOUND}};
     uint32_t visited = 0;
-    sph_fast_planes(w.query.p, ray, &w.bih);
+    sph_bih_setup(w.query.p, ray, &w.bih);
     w.limit = w.bih.limit;
     if (leaf(&w, 0, (uint32_t)f->m->regs[SPH_REG_N_LOOSE]) && box(&w, &at.span))
         *errors |= visit(&w, at, &visited, &c->count[SPH_COUNT_CHILD_TESTS]);

@@ -16,7 +16,7 @@ struct lanes {
 
 static struct lanes lanes_of(const struct sph_profile *p, const struct sph_ray *ray) {
     struct lanes l = {.p = p, .ray = ray, .any = sph_ray_any(ray)};
-    sph_fast_planes(p, ray, &l.bih);
+    sph_bih_setup(p, ray, &l.bih);
     return l;
 }
 

@@ -21,7 +21,7 @@ struct lanes {
 
 static inline struct lanes lanes_of(const struct sph_profile *p, const struct sph_ray *ray) {
     struct lanes l = {.p = p, .ray = ray, .ordered = _mm_set1_epi32(sph_ray_any(ray) ? 0 : -1)};
-    sph_fast_planes(p, ray, &l.bih);
+    sph_bih_setup(p, ray, &l.bih);
     return l;
 }
 
@@ -69,11 +69,13 @@ static inline unsigned children(const struct lanes *l, const struct sph_fast *f,
     for (int k = 0; k < 3; k++) {
         const struct sph_box_axis *x = &axes[k];
         __m128i codes = _mm_set1_epi32(x->back ? SPH_BOX_CODES - 1 : 0);
+        const __m128i fine = _mm_cvtsi32_si128(x->fine);
         __m128i in = _mm_xor_si128(planes(x->back ? b->hi[k] : b->lo[k]), codes);
         __m128i out = _mm_xor_si128(planes(x->back ? b->lo[k] : b->hi[k]), codes);
-        in = _mm_add_epi32(_mm_set1_epi32(x->enter), _mm_mullo_epi32(in, _mm_set1_epi32(x->step)));
-        out = _mm_add_epi32(_mm_set1_epi32(x->leave + x->step + 2),
-                            _mm_mullo_epi32(out, _mm_set1_epi32(x->step + 2)));
+        in = _mm_add_epi32(_mm_set1_epi32(x->enter),
+                           _mm_srl_epi32(_mm_mullo_epi32(in, _mm_set1_epi32(x->step)), fine));
+        out = _mm_add_epi32(_mm_set1_epi32(x->leave),
+                            _mm_srl_epi32(_mm_mullo_epi32(out, _mm_set1_epi32(x->step + 2)), fine));
         if (x->flat) in = _mm_or_si128(in, beyond); /* what is below 0 stays so */
         if (x->open) out = _mm_or_si128(out, beyond);
         lo = _mm_max_epi32(lo, in);

@@ -70,8 +70,8 @@ int sph_image_write_gif(const char *path, const char *const *pictures, int n, do
     return f ? f(path, pictures, n, rate, err) : -1;
 }
 
-int sph_mip_load(const char *path, struct sph_mip *mip, struct sph_error *err) {
-    int (*f)(const char *, struct sph_mip *, struct sph_error *);
+int sph_mip_load(const char *path, int colours, struct sph_mip *mip, struct sph_error *err) {
+    int (*f)(const char *, int, struct sph_mip *, struct sph_error *);
     FOUND(f, "sph_mip_load", path, err);
-    return f ? f(path, mip, err) : -1;
+    return f ? f(path, colours, mip, err) : -1;
 }

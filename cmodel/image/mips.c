@@ -16,11 +16,12 @@ int sph_mips_load(const struct sph_scene *scene, struct sph_mip **mips, struct s
     for (uint32_t i = 0; i < n; i++) {
         const struct sph_texture *t = &scene->textures[i];
         uint32_t same = 0;
-        while (same < i && strcmp(scene->textures[same].path, t->path) != 0)
+        while (same < i && (scene->textures[same].colours != t->colours ||
+                            strcmp(scene->textures[same].path, t->path) != 0))
             same++;
         (*mips)[i] = (*mips)[same];
         struct sph_error why = {{0}};
-        if (same == i && sph_mip_load(t->path, &(*mips)[i], &why)) {
+        if (same == i && sph_mip_load(t->path, t->colours, &(*mips)[i], &why)) {
             sph_mips_free(*mips, i);
             *mips = NULL;
             return sph_fail(err, "%s:%u: texture: %.400s", scene->path, t->line, why.text);

@@ -17,6 +17,7 @@
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/imageio.h>
+#include <OpenImageIO/strutil.h>
 
 #include "common/file.h"
 #include "image/file.h"
@@ -70,8 +71,41 @@ const char *unfit(const OIIO::ImageSpec &spec) {
     return nullptr;
 }
 
+/* Whether colours are multiplied by alpha, as the reader gives them: what it says itself, then what
+ * formats have whose readers say nothing. */
+bool is_multiplied(const OIIO::ImageInput &in, const OIIO::ImageSpec &spec) {
+    static const char *const formats[] = {"webp", "openexr", "tiff", "targa", "psd", "jpegxl"};
+    if (spec.get_int_attribute("oiio:UnassociatedAlpha")) return false;
+    for (const char *format : formats)
+        if (!std::strcmp(in.format_name(), format)) return true;
+    return false;
+}
+
+const float LINEAR = 0, SRGB = -1; /* else the exponent that makes it linear */
+
+/* How colours stand for light. */
+float transfer_of(const OIIO::ImageSpec &spec, int colours) {
+    const std::string space = spec.get_string_attribute("oiio:ColorSpace");
+    const float gamma = spec.get_float_attribute("oiio:Gamma");
+    if (colours == SPH_COLOURS_LINEAR) return LINEAR;
+    if (colours == SPH_COLOURS_SRGB) return SRGB;
+    if (OIIO::Strutil::istarts_with(space, "lin") ||
+        OIIO::Strutil::iequals(space, "scene_linear") || spec.format.is_floating_point())
+        return LINEAR;
+    if (OIIO::Strutil::istarts_with(space, "gamma") && gamma > 0)
+        return std::fabs(gamma - 1) < 1e-4f ? LINEAR : gamma;
+    return space.empty() && spec.format.basesize() > 1 ? LINEAR : SRGB;
+}
+
+/* Light of a colour 0 .. 1; sRGB: IEC 61966-2-1. */
+float light_of(float v, float transfer) {
+    if (transfer == SRGB) return v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f);
+    return transfer == LINEAR ? v : std::pow(v, transfer);
+}
+
 /* Reads level 0 into a buffer of red, green, blue, alpha, all limited to 0 .. 1. */
-int read_level(const char *path, OIIO::ImageBuf *to, struct sph_error *err) {
+int read_level(const char *path, int colours, OIIO::ImageBuf *to, int *decoded,
+               struct sph_error *err) {
     if (sph_picture::refuse_unsound(path, err)) return -1;
     OIIO::ImageSpec config;
     config.attribute("oiio:UnassociatedAlpha", 1);
@@ -96,14 +130,20 @@ int read_level(const char *path, OIIO::ImageBuf *to, struct sph_error *err) {
     const std::size_t colour[3] = {0, grey ? 0u : 1u, grey ? 0u : 2u};
     const std::size_t alpha = grey ? 1 : 3;
     const bool has_alpha = n > alpha && (grey || spec.alpha_channel == 3);
+    const bool multiplied = has_alpha && is_multiplied(*in, spec);
+    const float transfer = transfer_of(spec, colours);
+    *decoded = transfer != LINEAR;
     std::vector<float> all(from.size() / n * CHANNELS);
     for (std::size_t i = 0; i < from.size() / n; i++) {
         for (std::size_t c = 0; c < 3; c++)
             all[CHANNELS * i + c] = from[n * i + colour[c]];
         all[CHANNELS * i + 3] = has_alpha ? from[n * i + alpha] : 1;
+        const float a = all[CHANNELS * i + 3];
         for (std::size_t c = 0; c < CHANNELS; c++) {
             float &v = all[CHANNELS * i + c];
+            if (multiplied && c < 3 && a > 0) v /= a;
             v = v > 0 ? std::fmin(v, 1.0f) : 0;
+            if (c < 3) v = light_of(v, transfer);
         }
     }
     to->reset(OIIO::ImageSpec(spec.width, spec.height, CHANNELS, OIIO::TypeFloat));
@@ -112,9 +152,9 @@ int read_level(const char *path, OIIO::ImageBuf *to, struct sph_error *err) {
     return 0;
 }
 
-int load(const char *path, struct sph_mip *mip, struct sph_error *err) {
+int load(const char *path, int colours, struct sph_mip *mip, struct sph_error *err) {
     OIIO::ImageBuf level;
-    if (read_level(path, &level, err)) return -1;
+    if (read_level(path, colours, &level, &mip->decoded, err)) return -1;
     mip->width = level.spec().width;
     mip->height = level.spec().height;
     mip->levels = sph_mip_levels(mip->width, mip->height);
@@ -135,7 +175,7 @@ int load(const char *path, struct sph_mip *mip, struct sph_error *err) {
 
 } // namespace
 
-int sph_mip_load(const char *path, struct sph_mip *mip, struct sph_error *err) {
+int sph_mip_load(const char *path, int colours, struct sph_mip *mip, struct sph_error *err) {
     *mip = {};
     std::FILE *probe = sph_input_open(path, MOST_BYTES, err); /* OpenImageIO takes any file */
     if (!probe) return -1;
@@ -149,7 +189,7 @@ int sph_mip_load(const char *path, struct sph_mip *mip, struct sph_error *err) {
     if (empty) return sph_fail(err, "%s: empty file", path);
     int rc;
     try {
-        rc = load(path, mip, err);
+        rc = load(path, colours, mip, err);
     } catch (const std::exception &e) {
         rc = sph_fail(err, "%s: %s", path, e.what());
     }

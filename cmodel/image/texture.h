@@ -19,12 +19,15 @@ extern "C" {
 /* Reads an image of any kind that OpenImageIO knows and makes its MIP chain. One channel is grey,
  * two are grey and alpha; of more the first three are the colour, the fourth is alpha if the file
  * says so; without alpha it is 1. Whole numbers are taken by their range, real ones limited to
- * 0 .. 1; nothing is converted between colour spaces, and colour is not multiplied by alpha.
+ * 0 .. 1. Texels are linear light. colours: SPH_COLOURS_*; by the file it is decoded from sRGB, or
+ * from the gamma that the file has, unless the file says that it is linear, or says nothing and has
+ * real numbers or whole ones of more than 8 bits. Colour that the file has multiplied by alpha is
+ * divided by it.
  * Level l + 1 is the box-filtered half of level l, in float; each is rounded once, to bytes.
  * 0; or -1 with file and reason, and nothing to free: missing, no regular file, damaged, no pixels,
  * more than SPH_TEXTURE_SIDE on a side, more bytes than such an image needs, a volume, deep
  * pixels. */
-int sph_mip_load(const char *path, struct sph_mip *mip, struct sph_error *err);
+int sph_mip_load(const char *path, int colours, struct sph_mip *mip, struct sph_error *err);
 
 void sph_mip_free(struct sph_mip *mip);
 

@@ -20,6 +20,7 @@
 #define SPH_ID_NONE 16777215
 #define SPH_COLOUR_ONE 32768
 #define SPH_RSQRT_ERROR 6
+#define SPH_RECIPROCAL_ERROR 7
 #define SPH_ACROSS_SHORT 4
 #define SPH_MAX_SIDE 16383
 #define SPH_MAX_CONES 16
@@ -53,10 +54,10 @@
 #define SPH_BIH_T 22
 #define SPH_BIH_V 18
 #define SPH_BIH_G 18
-#define SPH_BIH_DIVIDE 20
 #define SPH_BIH_CHUNK 4
 #define SPH_BIH_LEAF 3
 #define SPH_BOX_CROSS 17
+#define SPH_BOX_FINE 4
 #define SPH_BOX_NEAR 11
 #define SPH_FRAMES 3
 #define SPH_SPHERE 0
@@ -430,7 +431,7 @@
     X(CLEAR, clear, "CLEAR", 11, 1, 0, SPH_OPTION_WHEN, 1, 0, -1, 0, 0, -1, "shadow rays pass what is marked as clear") \
     X(TURNED, turned, "TURNED", 12, 1, 0, SPH_OPTION_NONE, 0, 32, -1, 0, 0, -1, "a grid in other axes than the camera's") \
     X(SPREAD, spread, "SPREAD", 13, 1, 0, SPH_OPTION_WHEN, 128, 0, -1, 0, 0, -1, "levels in mirrors and glass by how spheres spread rays") \
-    X(CAMERA, camera, "CAMERA", 14, 1, 1, SPH_OPTION_NONE, 0, 0, -1, 0, 0, -1, "refuses every camera but the machine's own, since something is left out")
+    X(CAMERA, camera, "CAMERA", 14, 1, 1, SPH_OPTION_NONE, 0, 0, -1, 0, 0, -1, "any other camera is refused, since something is left out")
 #define SPH_EACH_PART(X) SPH_EACH_EFFECT(X) \
     X(COARSE, coarse, "COARSE", -1, 8, 0, SPH_OPTION_NONE, 128, 0, -1, 0, 0, SPH_REG_COARSE, "bits of the fraction of levels rounded away") \
     X(RECT, rect, "RECT", -1, 1, 1, SPH_OPTION_NONE, 0, 0, SPH_REG_BG_MODE, 1, 1, -1, "background separation by rectangle") \
@@ -544,7 +545,6 @@
     X(TEXTURE_WAYS, 4) \
     X(TEXTURE_GROUP, 1) \
     X(TEXTURE_COORDS, 2) \
-    X(BANKS, 0) \
     X(ROOTS, 0) \
     X(QUOTIENTS, 2) \
     X(DIVISIONS, 0) \
@@ -574,11 +574,9 @@
     X(SHADE_UNITS, (SHADES != 0 ? SHADES : PIPES == 1 || INTERPENETRATE != 0 ? 1 : PIPES == 4 ? 4 : 2)) \
     X(LEAF_COUNT, (LEAF_UNITS>0 ? LEAF_UNITS : BOXES>0 ? SHADE_UNITS : PIPES>2 && SHADE_UNITS>1 ? 2:1)) \
     X(SETUP_UNITS, (SETUPS != 0 ? SETUPS : PIPES == 4 && LEAF_COUNT > 1 ? 2 : 1)) \
-    X(PLANE_BANKS, (BANKS != 0 ? BANKS : BOXES != 0 ? 4 : 2)) \
     X(LINES_COMING, (MEM_PENDING != 0 ? MEM_PENDING : MEM_DATA))
 #define SPH_EACH_RATE(X)  \
     X(FACET_CLOCKS, (FACET_INTERVAL != 0 ? FACET_INTERVAL : BOXES == 0 && W >= 18 ? 4 : 2)) \
-    X(PLANE_CLOCKS, ((ACCEL + BOXES > 0) * max(20, 66 / PLANE_BANKS))) \
     X(KEY_UNITS, (DIVISIONS != 0 ? DIVISIONS : BOXES != 0 ? 3 : 1)) \
     X(KEY_DIVISION, ((W + WD + DIVISION_STEP) / DIVISION_STEP + 1)) \
     X(KEY_PRODUCTS, ((2 * ((WD + 16) / 17) + (2 * WD + 16) / 17) * ((2 * W + WD + 68) / 34) + 6)) \
@@ -589,7 +587,7 @@
     X(REFRACT_CLOCKS, (62 + 11 * (WD > 17) + (ROOT_BITS + 1) / 2))
 #define SPH_EACH_LOAD(X)  \
     X(node_visits, "node visits", PIPES, node_visits + ACCEL * (4*rays + node_visits - child_tests/2)) \
-    X(rays_set_up_for_planes, "rays set up for planes", PIPES, PLANE_CLOCKS * rays / 4) \
+    X(rays_set_up_for_planes, "rays set up for planes", PIPES, (ACCEL + BOXES > 0) * rays * 3) \
     X(records_to_tests, "records to tests", LEAF_COUNT, 2 * (leaf_tests + facet_tests)) \
     X(exact_tests_of_spheres, "exact tests of spheres", LEAF_COUNT, leaf_tests * LEAF_INTERVAL) \
     X(exact_tests_of_facets, "exact tests of facets", LEAF_COUNT, facet_tests * FACET_CLOCKS) \

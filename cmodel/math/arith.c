@@ -3,6 +3,7 @@
  */
 #include "math/fx.h"
 #include "math/arith.h"
+#include "math/reciprocal_table.h"
 #include "math/rsqrt_table.h"
 
 uint64_t sph_isqrt_bits(sph_u128 x, int bits, int *inexact) {
@@ -38,6 +39,25 @@ struct sph_quotient sph_quotient(uint64_t key, int key_bits, uint64_t a, int a_b
         rem <<= 1;
     }
     return (struct sph_quotient){mant, pq - 1 - key_bits + zk + a_bits - za};
+}
+
+uint32_t sph_reciprocal(uint64_t b) {
+    enum { X = 22, REST = 12, HALF = 1 << 21 };
+    int length = sph_bit_length(b);
+    uint64_t x = length > X ? b >> (length - X) : b << (X - length);
+    uint32_t index = (uint32_t)(x >> REST) & 511, rest = (uint32_t)x & ((1 << REST) - 1);
+    if (length > X && x << (length - X) != b) rest++;
+    uint32_t y = sph_reciprocal_table[index].start -
+                 ((sph_reciprocal_table[index].slope * rest + 2047) >> 11);
+    return y < HALF ? HALF : y;
+}
+
+struct sph_quotient sph_ratio(uint64_t a, uint64_t b) {
+    enum { A = 21 };
+    int length = sph_bit_length(a);
+    uint64_t top = length > A ? a >> (length - A) : a << (A - length);
+    return (struct sph_quotient){(uint32_t)(top * sph_reciprocal(b) >> 25),
+                                 17 - length + sph_bit_length(b)};
 }
 
 /* ---- rsqrt ---- */

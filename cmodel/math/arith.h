@@ -33,6 +33,15 @@ struct sph_quotient {
 
 struct sph_quotient sph_quotient(uint64_t key, int key_bits, uint64_t a, int a_bits, int pq);
 
+/* 1 / b, b not 0, as the first 22 bits of it, u0.22 of b from 1 to 2: at most that, by a table of
+ * straight lines, which RECIPROCAL_ERROR bounds, and of the first 22 bits of b, rounded up. */
+uint32_t sph_reciprocal(uint64_t b);
+
+/* a / b, neither 0, lies in [mant, mant + 2) * 2^-exp, mant in 2^16 .. 2^18 - 1: the product of the
+ * first 21 bits of a and the reciprocal of b, rounded down (formal/reciprocal.c).
+ * RTL: rtl/trace/rt_bih_ray.v */
+struct sph_quotient sph_ratio(uint64_t a, uint64_t b);
+
 /* ---- unit vectors by a table of inverse square roots (RTL: rtl/math/rt_unit.v) ---- */
 
 /* 2^16 / sqrt(x * 2^-18) for x = 2^16 .. 2^18-1, by 192 straight lines, from below:

@@ -7,6 +7,8 @@
 #include <gmp.h>
 #include <stdint.h>
 
+#include "machine/profile.h"
+
 /* x = floor(x / 2^n + 1/2); a negative n multiplies by 2^-n. */
 void sph_naive_round(mpz_t x, long n);
 
@@ -26,5 +28,16 @@ void sph_naive_normalise(mpz_t v[3], int bits, int64_t out[3]);
 
 /* v / |v| as s1.16 with the machine's table of inverse square roots; v: s(bits). */
 void sph_naive_unit(const int64_t v[3], int bits, int64_t u[3]);
+
+/* ---- Snell's law and highlights by definition ---- */
+
+/* The direction behind a surface with normal n, any length, of a ray that comes along d with index
+ * `from` on its side and `to` on the other. 0 if all is reflected. */
+int sph_naive_refract(const struct sph_profile *p, const int64_t d[3], const int64_t n[3],
+                      uint32_t from, uint32_t to, int64_t out[3]);
+
+/* max(0, cosine of mirrored light and way back)^(power/16), u1.15, of unit vectors s1.16: normal,
+ * to the light, along the ray. */
+int64_t sph_naive_shine(const int64_t n[3], const int64_t l[3], const int64_t d[3], uint32_t power);
 
 #endif

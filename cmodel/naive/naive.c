@@ -10,7 +10,6 @@
 
 #include "naive/hit.h"
 #include "naive/math.h"
-#include "naive/optics.h"
 
 /* ---- background separation by definition; see naive.h ---- */
 

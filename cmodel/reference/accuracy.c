@@ -7,7 +7,7 @@
 
 #include "machine/camera.h"
 #include "math/arith.h"
-#include "pixel/walk.h"
+#include "pixel/background.h"
 
 /* Distance from the eye to the hit of pixel x, y in grid units, as the machine's quotient has it.
  */

@@ -16,7 +16,7 @@ struct sph_accuracy_frame {
     const struct sph_frame *frame;
     const struct sph_trail *trails; /* as many as pixels */
     const int *lights;              /* number in the scene of each light of the machine */
-    double ahead, wider;    /* of the machine's eye: builder/grid/eye.h; 0 and 1 if it stays */
+    double ahead, wider;    /* of the machine's eye: builder/grid/axes.h; 0 and 1 if it stays */
     const uint32_t *places; /* NULL, or where the pixels are: as sph_reference_options has them */
 };
 

@@ -9,7 +9,6 @@
 #include "reference/meet.h"
 #include "reference/reference.h"
 #include "reference/tree.h"
-#include "reference/view.h"
 #include "reference/world.h"
 
 enum { SAMPLE = 4096 }; /* pixels of the small frame, at most */

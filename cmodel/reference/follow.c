@@ -247,11 +247,11 @@ static void shade(const struct sph_ref_job *j, struct sph_ref_branch *b,
 
 /* The rays that leave a surface. from: their origin; tilt: by how much the normal may be off;
  * turn: the refracted ray. */
-static void leave(const struct sph_ref_job *j, const struct sph_ref_branch *b,
-                  const struct sph_ref_hit *hit, const struct sph_ref_ray *from,
-                  const double normal[3], const double side[3], const struct sph_ref_shares *k,
-                  double ratio, const double bent[3], double tilt, double turn,
-                  struct sph_ref_seen *seen) {
+static void follow_rays(const struct sph_ref_job *j, const struct sph_ref_branch *b,
+                        const struct sph_ref_hit *hit, const struct sph_ref_ray *from,
+                        const double normal[3], const double side[3],
+                        const struct sph_ref_shares *k, double ratio, const double bent[3],
+                        double tilt, double turn, struct sph_ref_seen *seen) {
     double curved = curvature(j->scene, hit);
     struct sph_ref_branch next = *b;
     memcpy(next.ray.org, from->org, sizeof from->org);
@@ -336,5 +336,5 @@ void sph_ref_follow(const struct sph_ref_job *j, struct sph_ref_branch b,
         sph_ref_reflect_all(&k, f, j->o->total);
     }
     add(seen, b.depth, b.weight, b.weight * k.own, colour);
-    leave(j, &b, &hit, &from, normal, side, &k, ratio, bent, tilt, turn, seen);
+    follow_rays(j, &b, &hit, &from, normal, side, &k, ratio, bent, tilt, turn, seen);
 }

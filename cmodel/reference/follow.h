@@ -7,7 +7,6 @@
 #include "reference/ray.h"
 #include "reference/reference.h"
 #include "reference/tree.h"
-#include "reference/view.h"
 #include "reference/world.h"
 #include "scene/scene.h"
 

@@ -117,21 +117,19 @@ static int differ(uint32_t a, uint32_t b, double *sum) {
 struct sph_image_error sph_reference_compare(const struct sph_frame *frame,
                                              const struct sph_reference *reference) {
     struct sph_image_error e = {.pixels = 0};
-    double sum[SPH_FRAMES] = {0}, squares = 0;
+    double sum[SPH_FRAMES] = {0};
     if (frame->width != reference->width || frame->height != reference->height) return e;
     e.pixels = (uint64_t)frame->width * (uint64_t)frame->height;
     for (uint64_t i = 0; i < e.pixels; i++) {
         const struct sph_pixel *p = &frame->pixels[i];
         const struct sph_reference_pixel *r = &reference->pixels[i];
         int worst = 0;
-        double before = sum[SPH_FRAMES - 1];
         if (r->doubt) {
             e.undecidable++;
             continue;
         }
         for (int layer = 0; layer < SPH_FRAMES; layer++)
             worst = differ(p->colour[layer], r->colour[layer], &sum[layer]);
-        squares += pow((sum[SPH_FRAMES - 1] - before) / FULL, 2);
         e.far_off += worst > FAR_OFF;
         e.worst = worst > e.worst ? worst : e.worst;
         if ((p->id == SPH_ID_NONE) != (r->id == SPH_ID_NONE))
@@ -139,9 +137,8 @@ struct sph_image_error sph_reference_compare(const struct sph_frame *frame,
         else if (p->id != r->id)
             e.wrong_id++;
     }
-    double n = (double)(e.pixels - e.undecidable), mean = sum[SPH_FRAMES - 1] / FULL / n;
+    double n = (double)(e.pixels - e.undecidable);
     for (int layer = 0; layer < SPH_FRAMES; layer++)
         e.psnr[layer] = sum[layer] > 0 ? 10 * log10(FULL * n / sum[layer]) : INFINITY;
-    if (n > 0) e.deviation = sqrt(fmax(squares / n - mean * mean, 0));
     return e;
 }

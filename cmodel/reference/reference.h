@@ -72,7 +72,6 @@ struct sph_image_error {
     uint64_t wrong_id;       /* hit in both, another one */
     uint64_t far_off;        /* a channel of the deepest layer is off by more than 8 */
     int worst;               /* largest difference of a channel in the deepest layer */
-    double deviation;        /* of the deepest layer's squared error of a pixel, 0..1 of the most */
 };
 
 /* Renders the scene into *out (allocated here). 0, or -1 with a message (no memory, a camera

@@ -105,9 +105,13 @@ static int pose_facets(struct sph_aff *a, struct sph_error *err) {
         struct sph_facet f = scene->facets[i];
         const struct sph_aff_node *node = f.motion ? &a->nodes[f.motion - 1] : NULL;
         f.motion = 0;
-        if (node && !node->visible) continue;
+        if (node && !node->visible) {
+            sph_ledger_note(&scene->ledger, SPH_READ_HIDDEN, scene->path, f.line, NULL);
+            continue;
+        }
         if (node && node->flat && a->r.skip) {
-            scene->n_skipped++;
+            if (sph_ledger_note(&scene->ledger, SPH_READ_NO_SIZE, scene->path, f.line, err))
+                return -1;
             continue;
         }
         if (node && node->flat)
@@ -119,7 +123,11 @@ static int pose_facets(struct sph_aff *a, struct sph_error *err) {
         for (int k = 0; node && f.smooth && k < 3; k++)
             f.n[k] = sph_affine_normal(&node->world, f.n[k]);
         f.smooth = f.smooth && sph_smooth_given(f.n);
-        if (sph_triangle_empty(f.v[0], f.v[1], f.v[2])) continue;
+        if (sph_triangle_empty(f.v[0], f.v[1], f.v[2])) {
+            if (sph_ledger_note(&scene->ledger, SPH_READ_NO_AREA, scene->path, f.line, err))
+                return -1;
+            continue;
+        }
         scene->facets[kept++] = f;
     }
     scene->n_facets = kept;
@@ -133,11 +141,15 @@ static int pose_spheres(struct sph_aff *a, struct sph_error *err) {
         struct sph_sphere s = scene->spheres[i];
         const struct sph_aff_node *node = s.motion ? &a->nodes[s.motion - 1] : NULL;
         s.motion = 0;
-        if (node && !node->visible) continue;
+        if (node && !node->visible) {
+            sph_ledger_note(&scene->ledger, SPH_READ_HIDDEN, scene->path, s.line, NULL);
+            continue;
+        }
         if (node) {
             double by = sph_affine_scale(&node->world);
             if (!(by > 0) && a->r.skip) {
-                scene->n_skipped++;
+                if (sph_ledger_note(&scene->ledger, SPH_READ_NO_SIZE, scene->path, s.line, err))
+                    return -1;
                 continue;
             }
             if (!(by > 0))

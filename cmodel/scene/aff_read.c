@@ -67,7 +67,8 @@ static int take_include(struct sph_aff *a, struct sph_error *err) {
         return -1;
     if (sph_aff_path(a->r.lex.path, name, path, sizeof path))
         return sph_nff_fail(&a->r, err, "i", "the path of the file is too long");
-    return level > a->detail ? 0 : include(a, path, err);
+    return level > a->detail ? sph_nff_note(&a->r, SPH_READ_DETAIL, a->r.lex.token_line, err)
+                             : include(a, path, err);
 }
 
 /* A record; what it adds belongs to the transform that it stands in. Cones are triangles from here

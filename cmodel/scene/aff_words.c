@@ -78,13 +78,28 @@ static int take_x(struct sph_aff *a, struct sph_error *err) {
 static const struct {
     const char *word;
     int (*take)(struct sph_aff *a, struct sph_error *err); /* NULL: as in NFF */
-} words[] = {{"d", take_d},         {"xs", take_xs},       {"x", take_x},
-             {"k", sph_aff_take_k}, {"m", sph_aff_take_m}, {"tpa", sph_aff_take_tpa},
-             {"a", take_a},         {"am", take_am},       {"la", take_la},
-             {"v", NULL},           {"b", NULL},           {"l", NULL},
-             {"f", NULL},           {"fm", NULL},          {"s", NULL},
-             {"c", NULL},           {"p", NULL},           {"pp", NULL},
-             {"tt", NULL},          {"ttp", NULL}};
+    enum sph_read kind;
+} words[] = {{"d", take_d, SPH_READ_WORD},
+             {"xs", take_xs, SPH_READ_WORD},
+             {"x", take_x, SPH_READ_WORD},
+             {"k", sph_aff_take_k, SPH_READ_WORD},
+             {"m", sph_aff_take_m, SPH_READ_MESH},
+             {"tpa", sph_aff_take_tpa, SPH_READ_TRIANGLE},
+             {"a", take_a, SPH_READ_WORD},
+             {"am", take_am, SPH_READ_COLOUR},
+             {"la", take_la, SPH_READ_LIGHT},
+             {.word = "v"},
+             {.word = "b"},
+             {.word = "l"},
+             {.word = "f"},
+             {.word = "fm"},
+             {.word = "s"},
+             {.word = "c"},
+             {.word = "p"},
+             {.word = "pp"},
+             {.word = "tt"},
+             {.word = "ttp"},
+             {.word = "shading"}};
 enum { N_WORDS = sizeof words / sizeof words[0] };
 
 int sph_aff_take_word(struct sph_aff *a, struct sph_error *err) {
@@ -92,7 +107,9 @@ int sph_aff_take_word(struct sph_aff *a, struct sph_error *err) {
     while (i < N_WORDS && strcmp(a->r.lex.token, words[i].word) != 0)
         i++;
     if (i < N_WORDS && !words[i].take) return sph_nff_take_record(&a->r, err);
+    uint32_t line = a->r.lex.token_line;
     sph_lex_take(&a->r.lex);
-    if (i < N_WORDS) return words[i].take(a, err);
-    return sph_nff_skip(&a->r.lex, a->r.skip, &a->r.scene->n_skipped, err);
+    if (i == N_WORDS) return sph_nff_skip(&a->r, err);
+    if (words[i].take(a, err)) return -1;
+    return sph_nff_note(&a->r, words[i].kind, line, err);
 }

@@ -86,16 +86,24 @@ int sph_scene_duplicate(const struct sph_scene *scene, uint32_t *first, uint32_t
     return found;
 }
 
-int sph_scene_drop_coincident(struct sph_scene *scene, uint32_t *n_dropped, struct sph_error *err) {
-    struct seen seen = {.scene = scene};
+int sph_scene_drop_twice(struct sph_scene *scene, enum sph_read kind, struct sph_error *err) {
+    struct seen seen = {.scene = scene, .with_rad = kind == SPH_READ_SPHERE_TWICE};
+    enum sph_read was = seen.with_rad ? SPH_READ_SPHERE : SPH_READ_ATOM;
+    uint64_t *used = &scene->ledger.row[was].n;
     uint32_t n_kept = 0;
+    int rc = 0;
     if (open_seen(&seen, err)) return -1;
-    for (uint32_t i = 0; i < scene->n_spheres; i++) {
+    for (uint32_t i = 0; i < scene->n_spheres && !rc; i++) {
         scene->spheres[n_kept] = scene->spheres[i]; /* spheres after n_kept are not in the table */
-        if (see(&seen, n_kept) == n_kept) n_kept++;
+        uint32_t same_as = see(&seen, n_kept);
+        if (same_as == n_kept)
+            n_kept++;
+        else
+            rc = sph_ledger_add(&scene->ledger, kind, 1, scene->path, scene->spheres[n_kept].line,
+                                scene->spheres[same_as].line, err);
     }
-    *n_dropped = scene->n_spheres - n_kept;
+    *used -= *used >= scene->n_spheres - n_kept ? scene->n_spheres - n_kept : 0;
     scene->n_spheres = n_kept;
     free(seen.table);
-    return 0;
+    return rc;
 }

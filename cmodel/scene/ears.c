@@ -62,54 +62,48 @@ static void project(struct outline *o, const struct sph_vec *corner, int n, stru
     o->n = n;
 }
 
-/* Whether p, on the line of a and b, lies between them. */
-static int between(const double a[2], const double b[2], const double p[2]) {
-    int k = a[0] == b[0];
-    return fmin(a[k], b[k]) <= p[k] && p[k] <= fmax(a[k], b[k]);
+/* Whether two edges cross, each at a point within. */
+static int cross(const double a[2], const double b[2], const double c[2], const double d[2]) {
+    return sph_turn(a, b, c) * sph_turn(a, b, d) < 0 && sph_turn(c, d, a) * sph_turn(c, d, b) < 0;
 }
 
-/* Whether two edges have a point in common. */
-static int meet(const double a[2], const double b[2], const double c[2], const double d[2]) {
-    int ac = sph_turn(a, b, c), ad = sph_turn(a, b, d);
-    int ca = sph_turn(c, d, a), cb = sph_turn(c, d, b);
-    if (ac * ad < 0 && ca * cb < 0) return 1;
-    return (!ac && between(a, b, c)) || (!ad && between(a, b, d)) || (!ca && between(c, d, a)) ||
-           (!cb && between(c, d, b));
-}
-
-/* Whether an edge and the next one, from a over b to c, lie on each other. */
-static int folded(const double a[2], const double b[2], const double c[2]) {
-    return !sph_turn(a, b, c) && (between(a, b, c) || between(b, c, a));
-}
-
-static int check_simple(const struct outline *o, struct sph_error *err) {
+static int check_crossings(const struct outline *o, struct sph_error *err) {
     for (int i = 0; i < o->n; i++)
-        for (int k = i + 1; k < o->n; k++) {
-            int j = (i + 1) % o->n, l = (k + 1) % o->n, bad;
-            if (k == j)
-                bad = folded(o->at[i], o->at[j], o->at[l]);
-            else if (l == i)
-                bad = folded(o->at[k], o->at[i], o->at[j]);
-            else
-                bad = meet(o->at[i], o->at[j], o->at[k], o->at[l]);
-            if (bad)
+        for (int k = i + 2; k < o->n; k++)
+            if (cross(o->at[i], o->at[i + 1], o->at[k], o->at[(k + 1) % o->n]))
                 return sph_fail(err,
-                                "the edges from corner %d and from corner %d of the polygon meet: "
+                                "the edges from corner %d and from corner %d of the polygon cross: "
                                 "it cannot be cut in triangles",
                                 i + 1, k + 1);
-        }
     return 0;
 }
 
+/* Whether the edge from p to q runs through the inside of triangle a b c: no line of an edge, nor
+ * of p and q, has them on different sides. */
+static int enters(const double a[2], const double b[2], const double c[2], const double p[2],
+                  const double q[2]) {
+    const double *corner[4] = {a, b, c, a};
+    int left = 0, right = 0;
+    for (int i = 0; i < 3; i++) {
+        if (sph_turn(corner[i], corner[i + 1], p) <= 0 &&
+            sph_turn(corner[i], corner[i + 1], q) <= 0)
+            return 0;
+        int side = sph_turn(p, q, corner[i]);
+        left |= side > 0, right |= side < 0;
+    }
+    return left && right;
+}
+
 /* Whether the triangle around place i of the list is part of the polygon, and nothing else of the
- * outline is in it. */
-static int is_ear(const struct outline *o, int i) {
+ * outline is in it; touching: corners of the outline may lie on its edges. */
+static int is_ear(const struct outline *o, int i, int touching) {
     int n = o->n, before = o->list[(i + n - 1) % n], tip = o->list[i], after = o->list[(i + 1) % n];
     const double *a = o->at[before], *b = o->at[tip], *c = o->at[after];
     if (sph_turn(a, b, c) <= 0) return 0;
     for (int k = 0; k < n; k++) {
-        int p = o->list[k];
-        if (p == before || p == tip || p == after) continue;
+        int p = o->list[k], q = o->list[(k + 1) % n];
+        if (enters(a, b, c, o->at[p], o->at[q])) return 0;
+        if (touching || p == before || p == tip || p == after) continue;
         if (sph_turn(a, b, o->at[p]) >= 0 && sph_turn(b, c, o->at[p]) >= 0 &&
             sph_turn(c, a, o->at[p]) >= 0)
             return 0;
@@ -117,26 +111,64 @@ static int is_ear(const struct outline *o, int i) {
     return 1;
 }
 
+/* Whether p, on the line of a and b, lies between them. */
+static int between(const double a[2], const double b[2], const double p[2]) {
+    int k = a[0] == b[0];
+    return fmin(a[k], b[k]) <= p[k] && p[k] <= fmax(a[k], b[k]);
+}
+
+/* Whether the outline is the same without the corner at place i of the list, since its neighbours
+ * lie on one line with it; spike: and it goes back there. */
+static int is_flat(const struct outline *o, int i, int spike) {
+    int n = o->n;
+    const double *a = o->at[o->list[(i + n - 1) % n]], *b = o->at[o->list[i]],
+                 *c = o->at[o->list[(i + 1) % n]];
+    return !sph_turn(a, b, c) && (!spike || !between(a, c, b) || (b[0] == a[0] && b[1] == a[1]) ||
+                                  (b[0] == c[0] && b[1] == c[1]));
+}
+
+/* Cuts off the corner at place i of the list. */
+static void cut(struct outline *o, int i, int triangle[3]) {
+    int n = o->n--;
+    triangle[0] = o->list[(i + n - 1) % n], triangle[1] = o->list[i];
+    triangle[2] = o->list[(i + 1) % n];
+    memmove(&o->list[i], &o->list[i + 1], (size_t)(n - 1 - i) * sizeof o->list[0]);
+}
+
+/* The first place of a corner that is_flat(), o->n if there is none. */
+static int find_flat(const struct outline *o, int spike) {
+    int i = 0;
+    while (i < o->n && !is_flat(o, i, spike))
+        i++;
+    return i;
+}
+
 int sph_polygon_ears(const struct sph_vec *corner, int n, struct sph_vec normal, int (*index)[3],
                      struct sph_error *err) {
     struct outline o;
+    int at = 1, tries = 0, count = 0, touching = 0;
     project(&o, corner, n, normal);
-    if (check_simple(&o, err)) return -1;
-    int at = 1, tries = 0, count = 0;
+    if (check_crossings(&o, err)) return -1;
     while (o.n > 3) {
-        if (!is_ear(&o, at)) { /* corner 0 is kept: of two ears one is another corner */
-            at = at % (o.n - 1) + 1;
-            if (++tries > o.n) return sph_fail(err, "the polygon cannot be cut in triangles");
+        int flat = tries ? o.n : find_flat(&o, 1);
+        if (flat == o.n && is_ear(&o, at, touching)) flat = at;
+        if (flat == o.n && ++tries > o.n) {
+            if (touching) flat = find_flat(&o, 0);
+            if (touching && flat == o.n)
+                return sph_fail(err, "the polygon cannot be cut in triangles");
+            tries = 0, touching = 1;
+        }
+        if (flat == o.n) {
+            at = at % (o.n - 1) + 1; /* corner 0 is kept: of two ears one is another corner */
             continue;
         }
-        index[count][0] = o.list[at - 1], index[count][1] = o.list[at];
-        index[count][2] = o.list[(at + 1) % o.n];
-        count++;
-        o.n--;
-        memmove(&o.list[at], &o.list[at + 1], (size_t)(o.n - at) * sizeof o.list[0]);
-        at = at > 1 ? at - 1 : 1;
-        tries = 0;
+        cut(&o, flat, index[count++]);
+        at = flat > 1 ? flat - 1 : 1;
+        tries = touching = 0;
     }
     memcpy(index[count], o.list, 3 * sizeof(int));
+    if (sph_turn(o.at[o.list[0]], o.at[o.list[1]], o.at[o.list[2]]) < 0)
+        return sph_fail(err, "the outline of the polygon goes over itself: it cannot be cut in "
+                             "triangles");
     return 0;
 }

@@ -51,10 +51,10 @@ int sph_camera_check(const struct sph_camera *camera, const char *where, struct 
 int sph_scene_duplicate(const struct sph_scene *scene, uint32_t *first, uint32_t *second,
                         struct sph_error *err);
 
-/* Drops every sphere whose centre is exactly that of a sphere before it, whatever the radii;
- * *n_dropped counts them. No sphere may be added afterwards (the array keeps its size).
- * 0, or -1 with a message if memory is short. */
-int sph_scene_drop_coincident(struct sph_scene *scene, uint32_t *n_dropped, struct sph_error *err);
+/* Drops every sphere whose centre, and for SPH_READ_SPHERE_TWICE radius, are exactly those of a
+ * sphere before it, and notes it in the ledger as `kind`. No sphere may be added afterwards (the
+ * array keeps its size). 0, or -1 with a message if memory is short, or under `strict`. */
+int sph_scene_drop_twice(struct sph_scene *scene, enum sph_read kind, struct sph_error *err);
 
 static inline struct sph_vec sph_vec_of(double x, double y, double z) {
     return (struct sph_vec){x, y, z};

@@ -65,16 +65,32 @@ static int holds(const struct sph_sphere *a, const struct sph_sphere *b) {
     return a->rad > b->rad && apart + b->rad <= a->rad;
 }
 
+/* Of their radii: what rounding leaves of the distance of spheres that touch. */
+#define ROUNDED 1e-9
+
+/* Whether the surfaces of two spheres cut each other. */
+static int cuts(const struct sph_sphere *a, const struct sph_sphere *b) {
+    double apart = sph_vec_length(sph_vec_sub(a->ctr, b->ctr)), sum = a->rad + b->rad;
+    return apart < sum * (1 - ROUNDED) && apart > fabs(a->rad - b->rad) + sum * ROUNDED;
+}
+
+/* Notes glass that cuts glass. */
+static int note_cut(struct sph_scene *scene, uint32_t line, uint32_t other, struct sph_error *err) {
+    return sph_ledger_add(&scene->ledger, SPH_READ_GLASS_MEETS, 1, scene->path, line, other, err);
+}
+
 /* How far a sphere lies behind a plane; below 0: not wholly. */
 static double behind(const struct sph_facet *plane, const struct sph_sphere *s) {
     struct sph_vec n = plane->v[1], p = plane->v[0];
     return -sph_vec_dot(n, sph_vec_sub(s->ctr, p)) / sph_vec_length(n) - s->rad;
 }
 
-/* Index of refraction of the nearest transparent plane that the sphere is wholly behind; 1 if there
- * is none. */
-static double behind_planes(const struct sph_scene *scene, const struct sph_sphere *s) {
-    double nearest = INFINITY, index = 1;
+/* *index: of refraction of the nearest transparent plane that the sphere is wholly behind; 1 if
+ * there is none. -1 under `strict` if one cuts it. */
+static int behind_planes(struct sph_scene *scene, const struct sph_sphere *s, double *index,
+                         struct sph_error *err) {
+    double nearest = INFINITY;
+    *index = 1;
     for (uint32_t i = 0; i < scene->n_facets; i++) {
         const struct sph_facet *f = &scene->facets[i];
         if (!sph_kind_unbounded((uint32_t)f->kind) ||
@@ -82,9 +98,12 @@ static double behind_planes(const struct sph_scene *scene, const struct sph_sphe
             continue;
         double deep = behind(f, s);
         if (deep >= 0 && deep < nearest)
-            nearest = deep, index = sph_index_inside(&scene->materials[f->material]);
+            nearest = deep, *index = sph_index_inside(&scene->materials[f->material]);
+        if (deep < -ROUNDED * s->rad && deep > -(2 - ROUNDED) * s->rad &&
+            note_cut(scene, s->line, f->line, err))
+            return -1;
     }
-    return index;
+    return 0;
 }
 
 /* Notes what is around a sphere. last[m]: the newest material that is made of material m, + 1. */
@@ -119,11 +138,13 @@ static int nest(struct sph_scene *scene, const struct clear *list, uint32_t n, u
             if (o->ctr.x + o->rad < list[i].low) continue;
             open[kept++] = open[k];
             if (holds(o, s) && (!in || o->rad < in->rad)) in = o;
+            if (cuts(o, s) && note_cut(scene, s->line, o->line, err)) return -1;
         }
         open[kept] = list[i].id;
         n_open = kept + 1;
-        double around =
-            in ? sph_index_inside(&scene->materials[in->material]) : behind_planes(scene, s);
+        double around;
+        if (behind_planes(scene, s, &around, err)) return -1;
+        if (in) around = sph_index_inside(&scene->materials[in->material]);
         if (surround(scene, list[i].id, around, last, err)) return -1;
     }
     return 0;

@@ -30,14 +30,21 @@ void sph_nff_put_point(struct sph_nff_writer *w, const char *word, struct sph_ve
     sph_nff_put(w, word, (double[]){v.x, v.y, v.z}, 3);
 }
 
+/* A material that blends even where no `shading` is in force. */
+static int plain(const struct sph_material *m) {
+    return !m->sum.on && !(m->ks > 0 && m->shine > 0) && !(m->trans > 0) && m->kd + m->ks <= 1;
+}
+
 void sph_nff_put_material(struct sph_nff_writer *w, uint32_t material) {
     const struct sph_material *m = &w->scene->materials[material];
     while (m->sum.of) /* what the file has */
         material = m->sum.of - 1, m = &w->scene->materials[material];
     if (w->material == material) return;
     w->material = material;
-    if (w->sum != m->sum.on) fputs(m->sum.on ? "shading sum\n" : "shading blend\n", w->file);
-    w->sum = m->sum.on;
+    if (w->shading != m->sum.on && !(w->shading < 0 && plain(m))) {
+        fputs(m->sum.on ? "shading sum\n" : "shading blend\n", w->file);
+        w->shading = m->sum.on;
+    }
     if (m->trans > 0 && w->clear != m->passes) {
         fputs(m->passes ? "shadows clear\n" : "shadows full\n", w->file);
         w->clear = m->passes;
@@ -73,6 +80,11 @@ void sph_nff_put_image(struct sph_nff_writer *w, const char *word, const char *p
     fprintf(w->file, bare ? "%s %s" : "%s \"%s\"", word, path);
 }
 
+void sph_nff_put_colours(struct sph_nff_writer *w, uint32_t texture) {
+    static const char *const words[] = {"", " srgb", " linear"};
+    fputs(words[w->scene->textures[texture - 1].colours], w->file);
+}
+
 void sph_nff_put_texture(struct sph_nff_writer *w, uint32_t texture) {
     if (w->texture == texture) return;
     w->texture = texture;
@@ -83,5 +95,7 @@ void sph_nff_put_texture(struct sph_nff_writer *w, uint32_t texture) {
     const struct sph_texture *t = &w->scene->textures[texture - 1];
     sph_nff_put_image(w, "texture", t->path);
     sph_nff_put(w, "", (double[]){t->repeat[0], t->repeat[1], t->offset[0], t->offset[1]}, 4);
-    if (t->wrap[0]) fputs("clamp\n", w->file);
+    if (t->wrap[0]) fputs(t->colours ? "clamp" : "clamp\n", w->file);
+    sph_nff_put_colours(w, texture);
+    if (t->colours) putc('\n', w->file);
 }

@@ -123,7 +123,8 @@ static int take_move(struct sph_reader *r, struct sph_error *err) {
     return 0;
 }
 
-static int take_still(struct sph_reader *r) {
+static int take_still(struct sph_reader *r, struct sph_error *err) {
+    (void)err;
     r->motion = 0;
     return 0;
 }
@@ -143,27 +144,39 @@ static int take_fly(struct sph_reader *r, struct sph_error *err) {
                : 0;
 }
 
+static int take_background(struct sph_reader *r, struct sph_error *err) {
+    return take_colour_once(r, "b", &r->background_line, r->scene->background, err);
+}
+
+static int take_ambient(struct sph_reader *r, struct sph_error *err) {
+    return take_colour_once(r, "ambient", &r->ambient_line, r->scene->ambient, err);
+}
+
+/* Records that add no primitives. */
+static const struct sph_nff_word words[] = {{"f", sph_nff_take_f, SPH_READ_MATERIAL},
+                                            {"fm", sph_nff_take_fm, SPH_READ_MATERIAL},
+                                            {"texture", sph_nff_take_texture, SPH_READ_WORD},
+                                            {"shading", sph_nff_take_shading, SPH_READ_WORD},
+                                            {"shadows", sph_nff_take_shadows, SPH_READ_WORD},
+                                            {"move", take_move, SPH_READ_WORD},
+                                            {"still", take_still, SPH_READ_WORD},
+                                            {"fly", take_fly, SPH_READ_WORD},
+                                            {"l", sph_nff_take_light, SPH_READ_LIGHT},
+                                            {"v", take_view, SPH_READ_CAMERA},
+                                            {"b", take_background, SPH_READ_COLOUR},
+                                            {"ambient", take_ambient, SPH_READ_COLOUR}};
+enum { N_WORDS = sizeof words / sizeof *words };
+
 int sph_nff_take_record(struct sph_reader *r, struct sph_error *err) {
-    char word[SPH_LEX_TOKEN + 1];
-    memcpy(word, r->lex.token, sizeof word);
+    uint32_t line = r->lex.token_line;
+    const struct sph_nff_word *word = sph_prim_word(r->lex.token);
+    for (int i = 0; i < N_WORDS && !word; i++)
+        if (!strcmp(r->lex.token, words[i].word)) word = &words[i];
     sph_lex_take(&r->lex);
-    const struct sph_nff_word *prim = sph_prim_word(word);
-    if (prim) return prim->take(r, err);
-    if (!strcmp(word, "f")) return sph_nff_take_f(r, err);
-    if (!strcmp(word, "fm")) return sph_nff_take_fm(r, err);
-    if (!strcmp(word, "texture")) return sph_nff_take_texture(r, err);
-    if (!strcmp(word, "shading")) return sph_nff_take_shading(r, err);
-    if (!strcmp(word, "shadows")) return sph_nff_take_shadows(r, err);
-    if (!strcmp(word, "move")) return take_move(r, err);
-    if (!strcmp(word, "still")) return take_still(r);
-    if (!strcmp(word, "fly")) return take_fly(r, err);
-    if (!strcmp(word, "l")) return sph_nff_take_light(r, err);
-    if (!strcmp(word, "v")) return take_view(r, err);
-    if (!strcmp(word, "b"))
-        return take_colour_once(r, "b", &r->background_line, r->scene->background, err);
-    if (!strcmp(word, "ambient"))
-        return take_colour_once(r, "ambient", &r->ambient_line, r->scene->ambient, err);
-    return sph_nff_skip(&r->lex, r->skip, &r->scene->n_skipped, err);
+    r->ended = 0;
+    if (!word) return sph_nff_skip(r, err);
+    if (word->take(r, err)) return -1;
+    return r->ended ? 0 : sph_nff_note(r, word->kind, line, err);
 }
 
 /* A record, and the motion of the primitives that it added. */
@@ -180,23 +193,19 @@ static int take_moving(struct sph_reader *r, struct sph_error *err) {
 void sph_nff_start(struct sph_reader *r, struct sph_scene *scene,
                    const struct sph_read_options *options) {
     r->scene = scene;
+    scene->ledger.strict = options && options->strict;
     r->skip = options && options->skip_unsupported;
     r->round = options && options->round > 0 ? options->round : SPH_FRUSTUM_ROUND;
 }
 
 int sph_nff_finish(struct sph_reader *r, struct sph_error *err) {
     struct sph_scene *scene = r->scene;
-    uint32_t first, second;
     if (!r->view_line) return sph_fail(err, "%s: no camera (`v`)", r->lex.path);
     if (sph_scene_check_flights(scene, err)) return -1;
     for (int i = 0; i < scene->n_lights; i++)
         for (int k = 0; k < 3 && r->plain[i]; k++)
             scene->lights[i].rgb[k] = 1 / sqrt(scene->n_lights);
-    int found = sph_scene_duplicate(scene, &first, &second, err);
-    if (found > 0)
-        return sph_fail(err, "%s:%u: the same sphere (centre and radius) as in line %u",
-                        r->lex.path, scene->spheres[second].line, scene->spheres[first].line);
-    return found;
+    return sph_scene_drop_twice(scene, SPH_READ_SPHERE_TWICE, err);
 }
 
 int sph_nff_read(FILE *file, const char *path, const struct sph_read_options *options,

@@ -10,6 +10,8 @@
 #include "scene/edit.h"
 #include "scene/nff_lex.h"
 
+enum { SPH_SHADING_NFF, SPH_SHADING_BLEND, SPH_SHADING_SUM }; /* `shading`; NFF: no such word */
+
 struct sph_reader {
     struct sph_lex lex;
     struct sph_scene *scene;
@@ -17,7 +19,8 @@ struct sph_reader {
     double round;       /* of cones, see frustum.h */
     uint32_t material;  /* the newest one of the file */
     int material_used;  /* a primitive uses it */
-    int sum;            /* `shading sum`: materials have words of their own */
+    int shading;        /* SPH_SHADING_*: of the materials that follow */
+    int ended;          /* the record has been noted in the ledger */
     int clear;          /* `shadows clear`: shadow rays pass those that transmit */
     uint32_t texture;   /* of the spheres and planes that follow: index + 1, 0: none */
     uint32_t motion;    /* of the primitives that follow: index + 1, 0: still */
@@ -50,6 +53,9 @@ int sph_nff_vec(struct sph_reader *r, const char *record, struct sph_vec *v, str
 int sph_nff_more(struct sph_reader *r, const char *record, const char *const *names, int n,
                  double *values, struct sph_error *err);
 
+/* Notes in the ledger how the record of that line, or a part of it, ended. -1 under `strict`. */
+int sph_nff_note(struct sph_reader *r, enum sph_read kind, uint32_t line, struct sph_error *err);
+
 /* "file:line: `record`: what" at the newest word; -1. */
 int sph_nff_fail(struct sph_reader *r, struct sph_error *err, const char *record, const char *what);
 
@@ -62,7 +68,8 @@ int sph_nff_check_unit(struct sph_reader *r, const char *record, const char *con
 int sph_nff_material(struct sph_reader *r, const char *record, const char *what, uint32_t *material,
                      struct sph_error *err);
 
-/* Any record of NFF; its first word is next. */
+/* Any record of NFF; its first word is next. In the ledger it is one of that kind if it has not
+ * been noted otherwise. */
 int sph_nff_take_record(struct sph_reader *r, struct sph_error *err);
 
 /* One record each, its first word taken. */
@@ -77,6 +84,9 @@ int sph_nff_take_texture(struct sph_reader *r, struct sph_error *err);
  * the file that is read, or where no such file is, TextureFiles beside that folder. 1; 0 for the
  * bare word `none`; -1 with a message. */
 int sph_nff_image(struct sph_reader *r, const char *record, char path[512], struct sph_error *err);
+
+/* Takes `srgb` or `linear` if one of them comes next: SPH_COLOURS_*. */
+int sph_nff_colours(struct sph_reader *r, int *colours, struct sph_error *err);
 
 /* The index + 1 of the texture that is equal but for the line; it is added if there is none. */
 int sph_nff_find_texture(struct sph_reader *r, const struct sph_texture *texture, uint32_t *index,

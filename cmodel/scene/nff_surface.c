@@ -39,32 +39,45 @@ static int check_tail(struct sph_reader *r, const char *record, const double tai
     return 0;
 }
 
-/* A number that counts under `shading sum` alone, and there is in low..high. */
-static int check_between(struct sph_reader *r, const char *record, const char *name, double value,
-                         double low, double high, struct sph_error *err) {
-    if (value >= low && value <= high) return 0;
-    return sph_fail(err, "%s:%u: `%s`: %s %g is not within %g to %g", r->lex.path,
-                    r->lex.token_line, record, name, value, low, high);
+/* Limits a number of the material to low..high; notes it as `kind`. */
+static int limit(struct sph_reader *r, double *value, double low, double high, enum sph_read kind,
+                 uint32_t line, struct sph_error *err) {
+    double limited = fmin(fmax(*value, low), high);
+    if (limited == *value) return 0;
+    *value = limited;
+    return sph_nff_note(r, kind, line, err);
 }
 
-/* [Ka Kr], and what `shading sum` asks of the numbers before them. */
-static int take_sum(struct sph_reader *r, const char *record, struct sph_material *m,
-                    struct sph_error *err) {
+/* [Ka Kr], and what the material's numbers mean: highlight, transmission and index as NFF has them,
+ * which is Whitted's sum. A material that has neither is left to blend if its shares are no more
+ * than 1: that is the same, and less work. */
+static int take_shading(struct sph_reader *r, const char *record, struct sph_material *m,
+                        struct sph_error *err) {
     static const char *const names[] = {"Ka", "Kr"};
+    const double one = SPH_INDEX_ONE;
     double share[2] = {m->kd, m->ks};
-    int got = sph_nff_more(r, record, names, 2, share, err);
+    uint32_t line = (uint32_t)m->line;
+    int got = sph_nff_more(r, record, names, 2, share, err), shines = m->ks > 0 && m->shine > 0;
     if (got < 0) return -1;
-    if (got && !r->sum) return sph_nff_fail(r, err, record, "Ka and Kr need `shading sum`");
-    if (!r->sum) return 0;
+    if (got && r->shading != SPH_SHADING_SUM)
+        return sph_nff_fail(r, err, record, "Ka and Kr need `shading sum`");
+    if (r->shading == SPH_SHADING_BLEND)
+        return shines || m->trans > 0 ? sph_nff_note(r, SPH_READ_BLEND, line, err) : 0;
     if (sph_nff_check_unit(r, record, names, 2, share, err)) return -1;
-    if (m->ks > 0 && check_between(r, record, "Shine", m->shine, SPH_SHINE_MIN, SPH_SHINE_MAX, err))
-        return -1;
-    if (m->trans > 0 && check_between(r, record, "index of refraction", m->ior,
-                                      SPH_INDEX_MIN / (double)SPH_INDEX_ONE,
-                                      SPH_INDEX_MAX / (double)SPH_INDEX_ONE, err))
-        return -1;
+    if (m->ks > 0 && !shines && sph_nff_note(r, SPH_READ_SHINE_NONE, line, err)) return -1;
+    if (r->shading == SPH_SHADING_NFF && !shines && !(m->trans > 0) && m->kd + m->ks <= 1) return 0;
     m->sum = (struct sph_sum){.on = 1, .ka = share[0], .kr = share[1]};
-    return 0;
+    if (!shines) m->ks = 0;
+    if (shines &&
+        limit(r, &m->shine, SPH_SHINE_MIN, SPH_SHINE_MAX, SPH_READ_SHINE_LIMITED, line, err))
+        return -1;
+    if (!(m->trans > 0)) return 0;
+    if (m->ior == 0) {
+        m->ior = 1;
+        return sph_nff_note(r, SPH_READ_INDEX_LIMITED, line, err);
+    }
+    return limit(r, &m->ior, SPH_INDEX_MIN / one, SPH_INDEX_MAX / one, SPH_READ_INDEX_LIMITED, line,
+                 err);
 }
 
 /* f red green blue Kd Ks Shine T index [Ka Kr] */
@@ -78,7 +91,14 @@ int sph_nff_take_f(struct sph_reader *r, struct sph_error *err) {
         sph_nff_check_unit(r, "f", names, N_UNIT, f, err) || check_tail(r, "f", f + N_UNIT, err))
         return -1;
     struct sph_material m = {{f[0], f[1], f[2]}, f[3], f[4], f[5], f[6], f[7], line, {0}, 0};
-    return take_sum(r, "f", &m, err) ? -1 : add_material(r, &m, err);
+    return take_shading(r, "f", &m, err) ? -1 : add_material(r, &m, err);
+}
+
+/* Whether an `fm` says what an `f` cannot: an ambient colour of its own, coloured highlights. */
+static int says_more(const double ambient[3], const double diffuse[3], const double specular[3]) {
+    for (int i = 0; i < 3; i++)
+        if (ambient[i] != diffuse[i] || specular[i] != specular[0]) return 1;
+    return 0;
 }
 
 /* fm ambient(3) diffuse(3) specular(3) Shine T index [Ka Kr], of AFF. Ambient colours are not used:
@@ -103,6 +123,7 @@ int sph_nff_take_fm(struct sph_reader *r, struct sph_error *err) {
         sph_nff_check_unit(r, "fm", names, N_UNIT, f, err) || check_tail(r, "fm", f + N_UNIT, err))
         return -1;
     const double *d = f + DIFFUSE, *s = f + SPECULAR;
+    if (says_more(f, d, s) && sph_nff_note(r, SPH_READ_FM_MEAN, (uint32_t)line, err)) return -1;
     double kd = fmax(d[0], fmax(d[1], d[2])), by = kd > 0 ? kd : 1;
     struct sph_material m = {{d[0] / by, d[1] / by, d[2] / by},
                              kd,
@@ -113,7 +134,7 @@ int sph_nff_take_fm(struct sph_reader *r, struct sph_error *err) {
                              line,
                              {0},
                              0};
-    return take_sum(r, "fm", &m, err) ? -1 : add_material(r, &m, err);
+    return take_shading(r, "fm", &m, err) ? -1 : add_material(r, &m, err);
 }
 
 /* One of two words, which says what holds for the materials that follow: *on if it is `yes`. */
@@ -133,7 +154,10 @@ static int take_either(struct sph_reader *r, const char *record, const char *no,
 
 /* shading blend, or shading sum */
 int sph_nff_take_shading(struct sph_reader *r, struct sph_error *err) {
-    return take_either(r, "shading", "blend", "sum", &r->sum, err);
+    int sum;
+    if (take_either(r, "shading", "blend", "sum", &sum, err)) return -1;
+    r->shading = sum ? SPH_SHADING_SUM : SPH_SHADING_BLEND;
+    return 0;
 }
 
 /* shadows full, or shadows clear */
@@ -163,7 +187,8 @@ int sph_nff_find_texture(struct sph_reader *r, const struct sph_texture *texture
     struct sph_scene *scene = r->scene;
     for (uint32_t i = 0; i < scene->n_textures; i++) {
         const struct sph_texture *t = &scene->textures[i];
-        if (memcmp(t->wrap, texture->wrap, sizeof t->wrap) != 0 || strcmp(t->path, texture->path))
+        if (memcmp(t->wrap, texture->wrap, sizeof t->wrap) != 0 || t->colours != texture->colours ||
+            strcmp(t->path, texture->path))
             continue;
         if (t->repeat[0] == texture->repeat[0] && t->repeat[1] == texture->repeat[1] &&
             t->offset[0] == texture->offset[0] && t->offset[1] == texture->offset[1]) {
@@ -176,7 +201,18 @@ int sph_nff_find_texture(struct sph_reader *r, const struct sph_texture *texture
     return 0;
 }
 
-/* texture FILE su sv [ou ov] [clamp], or texture none */
+int sph_nff_colours(struct sph_reader *r, int *colours, struct sph_error *err) {
+    int got = sph_lex_peek(&r->lex, err);
+    if (got < 0) return -1;
+    *colours = !got || !strcmp(r->lex.token, "srgb") ? SPH_COLOURS_SRGB : SPH_COLOURS_LINEAR;
+    if (got && (*colours == SPH_COLOURS_SRGB || !strcmp(r->lex.token, "linear")))
+        sph_lex_take(&r->lex);
+    else
+        *colours = SPH_COLOURS_OF_FILE;
+    return 0;
+}
+
+/* texture FILE su sv [ou ov] [clamp] [srgb|linear], or texture none */
 int sph_nff_take_texture(struct sph_reader *r, struct sph_error *err) {
     static const char *const names[] = {"su", "sv", "ou", "ov"};
     struct sph_texture t = {.line = r->lex.token_line};
@@ -197,5 +233,6 @@ int sph_nff_take_texture(struct sph_reader *r, struct sph_error *err) {
         sph_lex_take(&r->lex);
         t.wrap[0] = t.wrap[1] = 1;
     }
+    if (sph_nff_colours(r, &t.colours, err)) return -1;
     return sph_nff_find_texture(r, &t, &r->texture, err);
 }

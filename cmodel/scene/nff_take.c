@@ -18,6 +18,11 @@ int sph_nff_fail(struct sph_reader *r, struct sph_error *err, const char *record
     return sph_fail(err, "%s:%u: `%s`: %s", r->lex.path, r->lex.token_line, record, what);
 }
 
+int sph_nff_note(struct sph_reader *r, enum sph_read kind, uint32_t line, struct sph_error *err) {
+    r->ended = 1;
+    return sph_ledger_note(&r->scene->ledger, kind, r->lex.path, line, err);
+}
+
 int sph_nff_vec(struct sph_reader *r, const char *record, struct sph_vec *v,
                 struct sph_error *err) {
     double value[3];

@@ -19,7 +19,7 @@ static void put_scene(const struct sph_scene *scene, FILE *file) {
     if (scene->n_facets) fprintf(file, ", facets: %u", scene->n_facets);
     putc('\n', file);
     fputs("v\n", file);
-    struct sph_nff_writer w = {scene, file, UINT32_MAX, 0, 0, 0, 0};
+    struct sph_nff_writer w = {.scene = scene, .file = file, .material = UINT32_MAX, .shading = -1};
     sph_nff_put_point(&w, "from", camera->from);
     sph_nff_put_point(&w, "at", camera->at);
     sph_nff_put_point(&w, "up", camera->up);

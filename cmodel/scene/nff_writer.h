@@ -13,8 +13,8 @@ struct sph_nff_writer {
     const struct sph_scene *scene;
     FILE *file;
     uint32_t material, texture, motion;
-    int sum;   /* `shading sum` is in force */
-    int clear; /* `shadows clear` is */
+    int shading; /* -1: none; 0, 1: sum.on of the materials that `shading` is for */
+    int clear;   /* `shadows clear` is */
 };
 
 /* A record: its word, then numbers; and with one vector. */
@@ -29,6 +29,9 @@ void sph_nff_put_texture(struct sph_nff_writer *w, uint32_t texture);
 
 /* The name that an image has in a file: its path without the folder of the scene. */
 const char *sph_nff_image_name(const struct sph_scene *scene, const char *path);
+
+/* ` srgb` or ` linear`, if the texture has one of them. */
+void sph_nff_put_colours(struct sph_nff_writer *w, uint32_t texture);
 
 /* A word and this name, quoted where it must be. The line does not end. */
 void sph_nff_put_image(struct sph_nff_writer *w, const char *word, const char *path);

@@ -87,8 +87,8 @@ int sph_polygon_cut(const struct sph_vec *corner, int n, int (*index)[3], double
     if (!(twice > EMPTY * size * size) && sph_vec_length(most) > EMPTY * size * size &&
         sph_polygon_ears(corner, n, most, index, err))
         return -1;
-    if (!(twice > EMPTY * size * size))
-        return sph_fail(err, "the %s has no area", n == 3 ? "triangle" : "polygon");
+    *bent = 0;
+    if (!(twice > EMPTY * size * size)) return 0;
     struct sph_vec unit = {normal.x / twice, normal.y / twice, normal.z / twice};
     if (is_convex(corner, n, unit, size))
         fan(corner, n, index);

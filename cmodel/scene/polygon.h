@@ -18,9 +18,9 @@
  * one corner `first` and two that follow each other, in order; `first` is the first corner with
  * which the fewest triangles have no area. Any other one is cut by ears (ears.h). Triangles without
  * area are left out. index[n - 2][3]: corner numbers. *bent: how far the corner that is farthest
- * off is from the polygon's plane, 0 if the polygon is flat. Returns how many triangles; -1 with a
- * message (to stand behind "file:line: ") if the polygon has no area or its edges meet, seen along
- * the normal of its plane. */
+ * off is from the polygon's plane, 0 if the polygon is flat. Returns how many triangles, 0 if the
+ * polygon has no area; -1 with a message (to stand behind "file:line: ") if its edges cross, seen
+ * along the normal of its plane. */
 int sph_polygon_cut(const struct sph_vec *corner, int n, int (*index)[3], double *bent,
                     struct sph_error *err);
 

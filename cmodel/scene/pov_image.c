@@ -19,7 +19,8 @@ void sph_pov_images(const struct sph_scene *s, FILE *f) {
             if (*c == '"' || *c == '\\') putc('\\', f);
             putc(*c, f);
         }
-        fputs("\" gamma 1 } } }\n", f);
+        fprintf(f, "\" gamma %s } } }\n",
+                s->textures[i].colours == SPH_COLOURS_SRGB ? "srgb" : "1");
     }
     fputs("#declare Repeated = function(v) { v }\n"
           "#declare Clamped = function(v) { min(max(v, 0), 0.999999) }\n"

@@ -9,14 +9,15 @@
 #include "scene/nff_reader.h"
 #include "scene/nff_writer.h"
 
-/* A record of a scene file that adds primitives; take: its first word is taken. */
+/* A record of a scene file; take: its first word is taken. */
 struct sph_nff_word {
     const char *word;
     int (*take)(struct sph_reader *r, struct sph_error *err);
+    enum sph_read kind; /* in the ledger */
 };
 
 struct sph_prim_scene {
-    const struct sph_nff_word *words; /* up to one of NULL */
+    const struct sph_nff_word *words; /* that add such primitives, up to one of NULL */
     /* Writes sphere or facet i and those that the same record holds: how many. */
     uint32_t (*write)(struct sph_nff_writer *w, uint32_t i);
     /* Of a facet: so many of its vectors are points, the others directions, the first of them not

@@ -58,7 +58,7 @@ static void grow(struct sph_facet *facet, double by) {
         facet->st[0][k] *= by;
 }
 
-static const struct sph_nff_word words[] = {{"plane", take_plane}, {NULL, NULL}};
+static const struct sph_nff_word words[] = {{"plane", take_plane, SPH_READ_PLANE}, {0}};
 const struct sph_prim_scene sph_prim_scene_plane = {.words = words,
                                                     .write = write,
                                                     .points = 1,

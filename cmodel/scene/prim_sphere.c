@@ -33,5 +33,5 @@ static uint32_t write(struct sph_nff_writer *w, uint32_t i) {
     return 1;
 }
 
-static const struct sph_nff_word words[] = {{"s", take_sphere}, {NULL, NULL}};
+static const struct sph_nff_word words[] = {{"s", take_sphere, SPH_READ_SPHERE}, {0}};
 const struct sph_prim_scene sph_prim_scene_sphere = {.words = words, .write = write};

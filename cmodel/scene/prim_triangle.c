@@ -20,11 +20,6 @@ static int take_count(struct sph_reader *r, const char *record, int *n, struct s
     return 0;
 }
 
-/* Notes a polygon that is not flat, for the message of build. */
-static void note_bent(struct sph_scene *scene, uint32_t line, double bent) {
-    if (!scene->n_bent++ || bent > scene->bent) scene->bent = bent, scene->bent_line = line;
-}
-
 /* p n (x y z)..., pp n (x y z nx ny nz)...: normals count if none is zero. The triangles of a
  * polygon that is not flat are polygons of their own: one may see another. */
 static int take_polygon(struct sph_reader *r, int with_normals, struct sph_error *err) {
@@ -46,6 +41,7 @@ static int take_polygon(struct sph_reader *r, int with_normals, struct sph_error
     for (int i = 0; i < n && with_normals; i++)
         facet.smooth &= sph_vec_length(normal[i]) > 0;
     int count = sph_polygon_cut(corner, n, index, &bent, &why);
+    if (!count) return sph_nff_note(r, SPH_READ_NO_AREA, facet.line, err);
     if (count < 0)
         return sph_fail(err, "%s:%u: `%s`: %.300s", r->lex.path, facet.line, record, why.text);
     for (int i = 0; i < count; i++) {
@@ -57,11 +53,10 @@ static int take_polygon(struct sph_reader *r, int with_normals, struct sph_error
         if (sph_scene_add_facet(r->scene, &facet, err)) return -1;
         if (bent > 0 || i == count - 1) r->n_groups++;
     }
-    if (bent > 0) note_bent(r->scene, facet.line, bent);
-    return 0;
+    return bent > 0 ? sph_nff_note(r, SPH_READ_BENT, facet.line, err) : 0;
 }
 
-/* tt FILE and three times x y z u v; ttp: x y z nx ny nz u v */
+/* tt FILE [srgb|linear] and three times x y z u v; ttp: x y z nx ny nz u v */
 static int take_image(struct sph_reader *r, const char *word, int with_normals,
                       struct sph_error *err) {
     static const char *const names[] = {"u", "v"};
@@ -69,7 +64,9 @@ static int take_image(struct sph_reader *r, const char *word, int with_normals,
     struct sph_facet facet = {.kind = SPH_TRIANGLE, .group = r->n_groups, .line = texture.line};
     if (sph_nff_material(r, word, "triangle", &facet.material, err)) return -1;
     int got = sph_nff_image(r, word, texture.path, err);
-    if (got < 0 || (got && sph_nff_find_texture(r, &texture, &facet.texture, err))) return -1;
+    if (got < 0 || (got && sph_nff_colours(r, &texture.colours, err)) ||
+        (got && sph_nff_find_texture(r, &texture, &facet.texture, err)))
+        return -1;
     for (int i = 0; i < 3; i++)
         if (sph_nff_vec(r, word, &facet.v[i], err) ||
             (with_normals && sph_nff_vec(r, word, &facet.n[i], err)) ||
@@ -77,8 +74,7 @@ static int take_image(struct sph_reader *r, const char *word, int with_normals,
             return -1;
     facet.smooth = with_normals && sph_smooth_given(facet.n);
     if (sph_triangle_empty(facet.v[0], facet.v[1], facet.v[2]))
-        return sph_fail(err, "%s:%u: `%s`: the triangle has no area", r->lex.path, facet.line,
-                        word);
+        return sph_nff_note(r, SPH_READ_NO_AREA, facet.line, err);
     r->n_groups++;
     return sph_scene_add_facet(r->scene, &facet, err);
 }
@@ -101,6 +97,7 @@ static int take_pp(struct sph_reader *r, struct sph_error *err) {
 
 static void put_tt(struct sph_nff_writer *w, const struct sph_facet *f) {
     sph_nff_put_image(w, f->smooth ? "ttp" : "tt", w->scene->textures[f->texture - 1].path);
+    sph_nff_put_colours(w, f->texture);
     putc('\n', w->file);
     for (int i = 0; i < 3; i++) {
         double p[] = {f->v[i].x, f->v[i].y, f->v[i].z, f->st[i][0], f->st[i][1]};
@@ -146,8 +143,17 @@ static int same_point(struct sph_vec a, struct sph_vec b) {
     return a.x == b.x && a.y == b.y && a.z == b.z;
 }
 
+/* Whether a corner stands there twice: then it cannot be told where an ear goes. */
+static int has_twin(const struct sph_vec *corner, uint32_t n) {
+    for (uint32_t i = 0; i < n; i++)
+        for (uint32_t k = 0; k < i; k++)
+            if (same_point(corner[i], corner[k])) return 1;
+    return 0;
+}
+
 /* The outline of n triangles that were cut off as ears, corner 0 first: each ear goes back between
- * its neighbours, the last first. How many corners; 0 if a piece without area is missing. */
+ * its neighbours, the last first. How many corners; 0 if a piece without area is missing, or the
+ * outline touches itself in a corner. */
 static uint32_t outline_of(const struct sph_facet *f, uint32_t n, struct sph_vec *corner) {
     uint32_t count = 3;
     memcpy(corner, f[n - 1].v, sizeof f->v);
@@ -160,7 +166,7 @@ static uint32_t outline_of(const struct sph_facet *f, uint32_t n, struct sph_vec
         memmove(&corner[k + 2], &corner[k + 1], (count - k - 1) * sizeof *corner);
         corner[k + 1] = f[i].v[1];
     }
-    return count;
+    return has_twin(corner, count) ? 0 : count;
 }
 
 static void put_corners(struct sph_nff_writer *w, const struct sph_vec *corner, uint32_t n) {
@@ -224,7 +230,9 @@ static uint32_t write(struct sph_nff_writer *w, uint32_t i) {
     return n;
 }
 
-static const struct sph_nff_word words[] = {{"p", take_p},     {"pp", take_pp}, {"tt", take_tt},
-                                            {"ttp", take_ttp}, {"c", take_c},   {NULL, NULL}};
+static const struct sph_nff_word words[] = {
+    {"p", take_p, SPH_READ_POLYGON},    {"pp", take_pp, SPH_READ_POLYGON},
+    {"tt", take_tt, SPH_READ_TRIANGLE}, {"ttp", take_ttp, SPH_READ_TRIANGLE},
+    {"c", take_c, SPH_READ_CONE},       {0}};
 const struct sph_prim_scene sph_prim_scene_triangle = {
     .words = words, .write = write, .points = 3, .wants = "finite corners"};

@@ -1,4 +1,4 @@
-/* read.c - a scene file or text of a scene, by its format; see scene.h
+/* read.c - a scene file or text of a scene, by its kind; see scene.h
  * SPDX-License-Identifier: Apache-2.0
  */
 #include <stdint.h>
@@ -6,14 +6,24 @@
 
 #include "common/file.h"
 #include "scene/aff.h"
+#include "scene/import.h"
 #include "scene/nff_reader.h"
 
 int sph_scene_read(const char *path, const struct sph_read_options *options,
                    struct sph_scene *scene, struct sph_error *err) {
-    if (sph_aff_is(path)) return sph_aff_read(path, options, scene, err);
+    const char *looks;
     memset(scene, 0, sizeof *scene);
     FILE *file = sph_input_open(path, SPH_INPUT_ANY, err);
-    return file ? sph_nff_read(file, path, options, scene, err) : -1;
+    if (!file) return -1;
+    enum sph_file_kind kind = sph_aff_is(path) ? SPH_FILE_AFF : sph_file_kind(path, &looks);
+    if (kind == SPH_FILE_NFF) return sph_nff_read(file, path, options, scene, err);
+    fclose(file);
+    if (kind == SPH_FILE_AFF) return sph_aff_read(path, options, scene, err);
+    if (sph_importable(kind))
+        return sph_import(path, kind,
+                          &(struct sph_import_options){.strict = options && options->strict}, scene,
+                          err);
+    return sph_fail(err, "%s: is %s, no scene", path, looks);
 }
 
 int sph_scene_parse(const char *text, size_t length, const char *path,

@@ -10,8 +10,10 @@
 #include <stdio.h>
 
 #include "common/error.h"
+#include "common/ledger.h"
 #include "common/parallel.h"
 #include "machine/layout.h" /* SPH_MAX_LIGHTS */
+#include "texture/texel.h"  /* SPH_COLOURS_* */
 
 #define SPH_MAX_TEXTURES 1024
 
@@ -86,6 +88,7 @@ struct sph_frustum {
 /* An image and how it lies on spheres: longitude and latitude, poles along +-y, seam at -z. */
 struct sph_texture {
     char path[512];   /* of the image: the folder of the scene file and the name given there */
+    int colours;      /* SPH_COLOURS_* */
     int wrap[2];      /* of s and t: 0 repeats, 1 stays at the edge */
     double repeat[2]; /* spheres: repeats around, and from pole to pole */
     double offset[2]; /* spheres: repeats added */
@@ -108,6 +111,7 @@ struct sph_flight {
 
 struct sph_read_options {
     int skip_unsupported; /* leave out pb, ...: render the rest */
+    int strict;           /* of ledger.h */
     double round;         /* of cones, see frustum.h; 0: SPH_FRUSTUM_ROUND */
     uint32_t at;          /* frame that primitives and camera are moved to (motion.h, aff.h) */
     int timed;            /* of AFF: at this time, whatever the frame */
@@ -133,11 +137,8 @@ struct sph_scene {
     struct sph_motion *motions;
     struct sph_flight *flights; /* by frame, rising: where the camera goes from frame 0 on */
     struct sph_frustum *frusta; /* as the file has them, not moved: for sph_scene_write() */
-    uint32_t n_skipped;         /* unsupported primitives left out (--skip-unsupported) */
-    uint32_t n_bent;    /* polygons that are not flat: each of their triangles is one by itself */
-    uint32_t bent_line; /* the one that is farthest from flat, and by how much */
-    double bent;
-    int aff; /* read from AFF (aff.h), by these options */
+    struct sph_ledger ledger;   /* what became of each record */
+    int aff;                    /* read from AFF (aff.h), by these options */
     struct sph_read_options read;
     uint32_t n_files; /* what it includes, by path */
     char **files;

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "builder/profile/choose_profile.h"
+#include "trial/choose.h"
 #include "image/mips.h"
 #include "sphaera/opaque.h"
 #include "texture/lookup.h"
@@ -86,10 +86,11 @@ static int build(const struct sph_scene *scene, struct sph_build_options *o,
     if (o->texture != SPH_OFF && sph_mips_load(scene, &mips, err)) return -1;
     o->mips = mips;
     int rc = o->widths ? sph_build(scene, o, &to->machine, report, err)
-                       : sph_build_auto(scene, o, &bound, &choice, &to->machine, report, err);
+                       : sph_build_kept(scene, o, 1, &bound, &choice, &to->machine, report, err);
     sph_mips_free(mips, scene->n_textures);
     _Static_assert(sizeof to->warning == sizeof report->warning, "the whole text");
-    if (!rc) memcpy(to->warning, report->warning, sizeof to->warning);
+    if (!rc) memcpy(to->warning, report->warning, sizeof to->warning), to->ledger = report->ledger;
+    if (!rc && !o->widths) sph_choose_why(&choice, &bound, to->why, sizeof to->why);
     return rc;
 }
 
@@ -151,6 +152,14 @@ const char *sphaera_machine_profile(const sphaera_machine *machine) {
     return machine->machine.profile.name;
 }
 
+int sphaera_machine_record(const sphaera_machine *machine, int number, sphaera_record *record) {
+    return sph_api_record(&machine->ledger, number, record);
+}
+
 const char *sphaera_machine_warning(const sphaera_machine *machine) {
     return machine->warning;
+}
+
+const char *sphaera_machine_why(const sphaera_machine *machine) {
+    return machine->why;
 }

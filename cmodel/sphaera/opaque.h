@@ -20,6 +20,8 @@ struct sphaera_scene {
 struct sphaera_machine {
     struct sph_machine machine;
     char warning[8192]; /* as of sph_build_report */
+    char why[512];      /* as of sph_choose_why(), or empty */
+    struct sph_ledger ledger;
 };
 
 struct sphaera_frame {
@@ -44,6 +46,9 @@ int sph_api_null(const void *argument, const char *name, sphaera_error *to);
  * profile is named. 0, or -1 with a message. */
 int sph_api_options(const sphaera_build_options *from, struct sph_build_options *to,
                     struct sph_profile *widths, struct sph_error *err);
+
+/* Row `number` of those of a ledger that count something; -1 if there is none. */
+int sph_api_record(const struct sph_ledger *ledger, int number, sphaera_record *record);
 
 /* The library's message as the user's; returns -1. */
 int sph_api_failed(const struct sph_error *from, sphaera_error *to);

@@ -53,3 +53,19 @@ uint32_t sphaera_scene_spheres(const sphaera_scene *scene) {
 uint32_t sphaera_scene_facets(const sphaera_scene *scene) {
     return scene->scene.n_facets;
 }
+
+int sph_api_record(const struct sph_ledger *ledger, int number, sphaera_record *record) {
+    for (int kind = 0; kind < SPH_READS; kind++) {
+        const struct sph_ledger_row *row = &ledger->row[kind];
+        if (!row->n || number--) continue;
+        *record = (sphaera_record){sph_read_name((enum sph_read)kind),
+                                   sph_read_end_name(sph_read_end((enum sph_read)kind)), row->file,
+                                   row->line, row->n};
+        return 0;
+    }
+    return -1;
+}
+
+int sphaera_scene_record(const sphaera_scene *scene, int number, sphaera_record *record) {
+    return sph_api_record(&scene->scene.ledger, number, record);
+}

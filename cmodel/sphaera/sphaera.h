@@ -60,6 +60,19 @@ SPHAERA_API void sphaera_scene_free(sphaera_scene *scene);
 SPHAERA_API uint32_t sphaera_scene_spheres(const sphaera_scene *scene);
 SPHAERA_API uint32_t sphaera_scene_facets(const sphaera_scene *scene); /* triangles and planes */
 
+/* What became of each record of the file: a row for each kind that there is. */
+typedef struct sphaera_record {
+    const char *kind; /* such as "sphere", or "triangle or polygon without area" */
+    const char *end;  /* "used", "used otherwise", "left out" */
+    const char *file; /* of the first one; stands as long as what it was asked of */
+    uint32_t line;    /* of the first one, 0: none */
+    uint64_t count;
+} sphaera_record;
+
+/* Row 0, 1, ... of a scene; -1 behind the last, and then nothing is written. */
+SPHAERA_API int sphaera_scene_record(const sphaera_scene *scene, int number,
+                                     sphaera_record *record);
+
 /* ---- machines ---- */
 
 /* What is built. sphaera_build_init() sets the defaults, those of `sphaera build`; words are those
@@ -93,6 +106,14 @@ SPHAERA_API const char *sphaera_machine_profile(const sphaera_machine *machine);
 
 /* What build warned of, lines of text; empty if nothing, or if it was read from a file. */
 SPHAERA_API const char *sphaera_machine_warning(const sphaera_machine *machine);
+
+/* Why "auto" took its profile, and what is known of the picture: "standard: measured 47.0 dB of
+ * 57600 pixels, ..."; empty if a profile was asked for, or if it was read from a file. */
+SPHAERA_API const char *sphaera_machine_why(const sphaera_machine *machine);
+
+/* The same of a machine that was built: its scene's, and what the grid left out or limited. */
+SPHAERA_API int sphaera_machine_record(const sphaera_machine *machine, int number,
+                                       sphaera_record *record);
 
 /* ---- frames ---- */
 

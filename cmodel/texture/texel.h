@@ -42,9 +42,13 @@ static inline uint32_t sph_level_lines(uint32_t width, uint32_t height) {
 
 /* ---- an image and its smaller ones, as the texture unit reads them ---- */
 
+/* How an image's bytes stand for light: as its file says, or as asked for. */
+enum { SPH_COLOURS_OF_FILE, SPH_COLOURS_SRGB, SPH_COLOURS_LINEAR };
+
 struct sph_mip {
     int width, height, levels; /* level l: sph_level_size() of both; the last is 1 x 1 */
-    uint32_t *texels;          /* 0xAABBGGRR, level after level, row by row from the top */
+    int decoded;               /* colours were not linear in the file: sRGB, or a gamma */
+    uint32_t *texels;          /* linear, 0xAABBGGRR, level after level, row by row from the top */
 };
 
 /* Levels of an image down to one texel. */

@@ -9,7 +9,7 @@
 #include "builder/background/cones.h"
 #include "builder/background/outline.h"
 #include "builder/background/spans.h"
-#include "pixel/walk.h"
+#include "pixel/background.h"
 #include "render/render.h"
 
 const char *const way_names[WAYS] = {"none",          "rect",          "rect literal",
@@ -90,8 +90,8 @@ static void judge(struct way *way, const struct ways *w) {
 }
 
 /* Asks the model for every pixel. */
-static int ask(const struct sph_machine *m, struct way *way, const struct ways *w,
-               struct sph_error *err) {
+static int trace_all(const struct sph_machine *m, struct way *way, const struct ways *w,
+                     struct sph_error *err) {
     way->traced = calloc(pixels(w), 1);
     if (!way->traced) return sph_fail(err, "out of memory");
     uint8_t *traced = way->traced;
@@ -117,7 +117,7 @@ static int measure_built(const struct sph_scene *scene, struct sph_build_options
                                         : SPH_BG_NONE;
     if (sph_build(scene, &o, &m, &report, err)) return -1;
     int rc = index == WAY_NONE ? start(&m, &report, w, err) : 0;
-    if (!rc) rc = ask(&m, way, w, err);
+    if (!rc) rc = trace_all(&m, way, w, err);
     memcpy(way->background, report.background, sizeof way->background);
     way->work = report.bg_work;
     way->check = report.bg_check;

@@ -94,7 +94,7 @@ static int draw(const char *path, const struct measured *m, struct sph_error *er
 static void print(FILE *to, const struct measured *m) {
     const struct sph_accuracy *e = &m->trial.accuracy;
     const struct sph_image_error *image = &e->image;
-    const struct sph_estimate *expected = &m->built.expected;
+    const struct sph_estimate *expected = &m->built.picture.expected;
     if (!to) return;
     fprintf(to, "psnr       %.2f dB (depth 0: %.2f, depth 1: %.2f)\n", image->psnr[SPH_FRAMES - 1],
             image->psnr[0], image->psnr[1]);
@@ -148,13 +148,16 @@ static int measure(const struct arguments *a, const struct sph_scene *scene, str
     struct tool_source source = a->source;
     source.build.numbers = t->numbers;
     source.build.mips = m->mips;
+    if (!source.profile_auto)
+        source.bound = (struct sph_error_bound){INFINITY, 0}; /* it measures */
     if (tool_build_scene(&source, scene, m->mips, &m->built, err)) return -1;
     t->machine = m->built.machine;
     t->report = m->built.report;
     source.build.width = t->machine.regs[SPH_REG_FRAME_W];
     source.build.height = t->machine.regs[SPH_REG_FRAME_H];
     if (a->truth >= 0) source.build.max_depth = a->truth;
-    if (sph_yardstick_make(scene, &source.build, 0, a->levels, a->threads, &m->yardstick, err) ||
+    const struct sph_yardstick_options how = {.lod = a->levels, .threads = a->threads};
+    if (sph_yardstick_make(scene, &source.build, &how, &m->yardstick, err) ||
         sph_trial_draw(&m->yardstick, a->threads, t, err))
         return -1;
     json_t *report = report_new("accuracy");

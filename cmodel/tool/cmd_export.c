@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "common/file.h"
+#include "image/mips.h"
 #include "machine/export.h"
 #include "scene/pov_write.h"
 #include "tool/tool.h"
@@ -71,6 +72,16 @@ static int finish(const struct arguments *a, const struct sph_scene *scene, stru
     return 0;
 }
 
+/* Looks into the images how they stand for light, since POV-Ray is told. */
+static int name_colours(struct sph_scene *scene, struct sph_error *err) {
+    struct sph_mip *mips;
+    if (sph_mips_load(scene, &mips, err)) return -1;
+    for (uint32_t i = 0; i < scene->n_textures; i++)
+        scene->textures[i].colours = mips[i].decoded ? SPH_COLOURS_SRGB : SPH_COLOURS_LINEAR;
+    sph_mips_free(mips, scene->n_textures);
+    return 0;
+}
+
 /* A machine file as text. */
 static int export_machine(const struct arguments *a, struct sph_error *err) {
     struct tool_built built;
@@ -103,7 +114,7 @@ int tool_export(int argc, char **argv) {
     if (a.hex || a.c_array) return export_machine(&a, &err) ? tool_failed(&err) : TOOL_GOOD;
     if (tool_wants_scene(a.input, &err) || tool_scene_read(a.input, &a.source, &scene, &err))
         return tool_failed(&err);
-    int rc = finish(&a, &scene, &err);
+    int rc = name_colours(&scene, &err) || finish(&a, &scene, &err);
     sph_scene_free(&scene);
     return rc ? tool_failed(&err) : TOOL_GOOD;
 }

@@ -13,7 +13,8 @@
 #include "scene/aff.h"
 #include "scene/frustum.h"
 #include "scene/motion.h"
-#include "scene/pdb_import.h"
+#include "scene/import.h"
+#include "tool/print.h"
 #include "tool/sequence.h"
 
 struct arguments {
@@ -22,8 +23,8 @@ struct arguments {
     struct sph_generate_options generate;
     struct sph_import_options import;
     struct tool_import_aff aff;
-    const char *pdb_option, *aff_option; /* the last one that is for such a file alone */
-    const char *scenario_option;         /* the last one that is for scenarios alone */
+    const char *import_option, *aff_option; /* the last one that is for such files alone */
+    const char *scenario_option;            /* the last one that is for scenarios alone */
     struct tool_outputs outputs;
 };
 
@@ -41,7 +42,8 @@ enum {
     KEY_TIME,
     KEY_FRAMES,
     KEY_SKIP,
-    KEY_ROUND
+    KEY_ROUND,
+    KEY_STRICT
 };
 
 static const struct argp_option gen_options[] = {
@@ -63,7 +65,9 @@ static const struct argp_option gen_options[] = {
 static const struct argp_option import_options[] = {
     {"output", 'o', "FILE.nff", 0, "scene to write (default: standard output)", 0},
     {"resolution", KEY_RESOLUTION, "WxH", 0, "frame in pixels (320x180; AFF: the scene's)", 0},
-    {NULL, 0, NULL, 0, "Molecules:", 1},
+    {"strict", KEY_STRICT, NULL, 0, "what is not used as it stands is an error", 0},
+    {NULL, 0, NULL, 0, "Molecules and points:", 1},
+    {"radius", KEY_RADIUS, "R", 0, "of points whose table has none (1)", 1},
     {"water", KEY_WATER, NULL, 0, "keep water molecules", 1},
     {"elements", KEY_ELEMENTS, "FILE", 0, "radii and colours (" SPH_ELEMENTS_PATH ")", 1},
     {NULL, 0, NULL, 0, "AFF:", 2},
@@ -114,11 +118,11 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         return 0;
     case KEY_WATER:
         a->import.keep_water = 1;
-        a->pdb_option = "water";
+        a->import_option = "water";
         return 0;
     case KEY_ELEMENTS:
         a->import.elements_path = arg;
-        a->pdb_option = "elements";
+        a->import_option = "elements";
         return 0;
     case KEY_RESOLUTION:
         tool_size(state, "--resolution", arg, &a->generate.width, &a->generate.height);
@@ -141,6 +145,13 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
 static error_t parse_import(int key, char *arg, struct argp_state *state) {
     struct arguments *a = state->input;
     switch (key) {
+    case KEY_STRICT:
+        a->aff.read.strict = a->import.strict = 1;
+        return 0;
+    case KEY_RADIUS:
+        a->import.radius = real(state, "--radius", arg);
+        a->import_option = "radius";
+        return 0;
     case KEY_AT:
         a->aff.read.at = (uint32_t)tool_number(state, "--at", arg, 0, SPH_MAX_FRAME);
         break;
@@ -224,21 +235,23 @@ int tool_import(int argc, char **argv) {
     static const struct argp argp = {
         import_options,
         parse_import,
-        "FILE.pdb|FILE.aff",
-        "Makes a scene of a molecule, a sphere for every atom of a PDB file; or of an AFF scene as "
-        "it stands at a frame or a time.",
+        "FILE",
+        "Makes a scene of a molecule, a sphere for every atom (PDB, mmCIF, XYZ); of a table of "
+        "points (CSV: columns x, y, z and r); or of an AFF scene as it stands at a frame or a "
+        "time.",
         NULL,
         NULL,
         NULL};
     struct arguments a = {0};
-    struct sph_import_counts counts = {0};
     struct sph_scene scene;
     struct sph_error err = {""};
     tool_parse(&argp, argc, argv, 0, &a);
+    const char *looks;
     int aff = sph_aff_is(a.what);
-    const char *wrong = aff ? a.pdb_option : a.aff_option;
+    const char *wrong = aff ? a.import_option : a.aff_option;
     if (wrong) {
-        sph_fail(&err, "%s: --%s is for %s", a.what, wrong, aff ? "molecules" : "AFF scenes");
+        sph_fail(&err, "%s: --%s is for %s", a.what, wrong,
+                 aff ? "molecules and points" : "AFF scenes");
         return tool_failed(&err);
     }
     if (aff) {
@@ -246,13 +259,19 @@ int tool_import(int argc, char **argv) {
         a.aff.output = a.output, a.aff.outputs = &a.outputs;
         return tool_import_aff(a.what, &a.aff, &err) ? tool_failed(&err) : TOOL_GOOD;
     }
-    a.import.counts = &counts;
     const char *elements = a.import.elements_path ? a.import.elements_path : SPH_ELEMENTS_PATH;
     if (tool_spares(&a.outputs, a.what, &err) || tool_spares(&a.outputs, elements, &err))
         return tool_failed(&err);
-    if (sph_import_pdb(a.what, &a.import, &scene, &err) || tool_write_scene(a.output, &scene, &err))
+    FILE *probe = sph_input_open(a.what, SPH_INPUT_ANY, &err);
+    if (!probe) return tool_failed(&err);
+    fclose(probe);
+    enum sph_file_kind kind = sph_file_kind(a.what, &looks);
+    if (!sph_importable(kind)) {
+        sph_fail(&err, "%s: is %s, no molecule, table of points or AFF scene%s", a.what, looks,
+                 kind == SPH_FILE_NFF ? " (`build` and `render` take NFF)" : "");
         return tool_failed(&err);
-    fprintf(stderr, "%u atoms; left out: %u waters, %u alternates, %u duplicates\n", counts.atoms,
-            counts.waters, counts.alternates, counts.duplicates);
-    return TOOL_GOOD;
+    }
+    if (sph_import(a.what, kind, &a.import, &scene, &err)) return tool_failed(&err);
+    print_ledger(&scene.ledger);
+    return tool_write_scene(a.output, &scene, &err) ? tool_failed(&err) : TOOL_GOOD;
 }

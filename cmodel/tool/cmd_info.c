@@ -1,6 +1,11 @@
-/* cmd_info.c - `sphaera info`: what a machine file holds
+/* cmd_info.c - `sphaera info`: what a file holds, and what became of each of its records
  * SPDX-License-Identifier: Apache-2.0
  */
+#include "common/file.h"
+#include "common/kind.h"
+#include "builder/warn.h"
+#include "image/image.h"
+#include "image/mips.h"
 #include "validate/describe.h"
 #include "common/number.h"
 #include "tool/pixel_rays.h"
@@ -48,7 +53,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         a->input = arg;
         return 0;
     case ARGP_KEY_END:
-        if (!a->input) argp_error(state, "no machine file given");
+        if (!a->input) argp_error(state, "no file given");
         if (a->stages && a->pixel[0] < 0) argp_error(state, "--stages wants --pixel X,Y");
         return 0;
     default:
@@ -56,17 +61,71 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     }
 }
 
+/* Reads what is no machine; the ledger of its records. */
+static int read_other(const struct arguments *a, enum sph_file_kind kind, struct sph_ledger *ledger,
+                      struct sph_error *err) {
+    if (kind == SPH_FILE_IMAGE) {
+        struct sph_image image;
+        if (sph_image_read(a->input, &image, err)) return -1;
+        sph_image_free(&image);
+        return sph_ledger_note(ledger, SPH_READ_IMAGE, a->input, 0, err);
+    }
+    struct sph_scene scene;
+    if (sph_scene_read(a->input, NULL, &scene, err)) return -1;
+    struct sph_mip *mips = NULL;
+    *ledger = scene.ledger;
+    int rc =
+        sph_mips_load(&scene, &mips, err) || sph_note_images(&scene, mips, ledger, err) ? -1 : 0;
+    sph_mips_free(mips, scene.n_textures);
+    sph_scene_free(&scene);
+    return rc;
+}
+
+/* `info` of what is no machine. */
+static int describe_other(const struct arguments *a) {
+    struct sph_ledger ledger = {0};
+    struct sph_error err = {""};
+    const char *looks;
+    FILE *file = sph_input_open(a->input, SPH_INPUT_ANY, &err);
+    if (!file) return tool_failed(&err);
+    fclose(file);
+    enum sph_file_kind kind = sph_file_kind(a->input, &looks);
+    if (a->pixel[0] >= 0) {
+        sph_fail(&err, "%s: is %s: --pixel is for machine files; `sphaera build` makes one",
+                 a->input, looks);
+        return tool_failed(&err);
+    }
+    if (read_other(a, kind, &ledger, &err)) return tool_failed(&err);
+    FILE *to = print_stream(a->json);
+    if (to) {
+        fprintf(to, "%s: %s\n", a->input, looks);
+        sph_ledger_print(&ledger, SPH_USED, "", to);
+    }
+    json_t *report = report_new("info");
+    report_text(report, "input", a->input);
+    report_text(report, "looks", looks);
+    report_ledger(report, &ledger);
+    return report_write(report, a->json, &err) ? tool_failed(&err) : TOOL_GOOD;
+}
+
 int tool_info(int argc, char **argv) {
-    static const struct argp argp = {
-        options, parse, "MACHINE.sph", "Checks a machine file and describes it.", NULL, NULL, NULL};
+    static const struct argp argp = {options,
+                                     parse,
+                                     "FILE",
+                                     "Checks a machine file and describes it; of a scene, molecule "
+                                     "or image, what became of each "
+                                     "of its records.",
+                                     NULL,
+                                     NULL,
+                                     NULL};
     struct arguments a = {.pixel = {-1, -1}};
     struct sph_machine machine;
     struct sph_error err = {""};
     tool_parse(&argp, argc, argv, 0, &a);
 
     if (tool_spares(&a.outputs, a.input, &err)) return tool_failed(&err);
-    if (tool_wants_machine(a.input, &err) || sph_machine_read(a.input, &machine, &err))
-        return tool_failed(&err);
+    if (!tool_is_machine(a.input)) return describe_other(&a);
+    if (sph_machine_read(a.input, &machine, &err)) return tool_failed(&err);
     struct sph_ray_log log = {0};
     struct sph_stages stages = {0};
     const int32_t *size = machine.regs + SPH_REG_FRAME_W; /* and height behind it */

@@ -4,7 +4,7 @@
 #include <inttypes.h>
 
 #include "validate/prims.h"
-#include "pixel/walk.h"
+#include "pixel/background.h"
 #include "prim/sphere.h"
 #include "reference/predicates.h"
 #include "tool/print.h"

@@ -16,7 +16,7 @@ struct arguments {
 };
 
 enum { KEY_MORE = 512, KEY_PIXELS, KEY_JSON };
-enum { PIXELS = 1 << 18, MOST = 1 << 28 }; /* of a sample, if nothing else is asked for */
+enum { MOST = 1 << 28 }; /* pixels */
 
 static const struct argp_option options[] = {
     {"more", KEY_MORE, NULL, 0,
@@ -24,7 +24,7 @@ static const struct argp_option options[] = {
      "and boxes, BIH",
      0},
     {"pixels", KEY_PIXELS, "N", 0,
-     "of a larger frame about so many pixels are looked at (262144); 0: all", 0},
+     "of a larger frame about so many pixels are looked at (524288); 0: all", 0},
     {"threads", 't', "N", 0, "0: one for every processor (default)", 0},
     {"json", KEY_JSON, "FILE", 0, "report as JSON (- : on standard output instead of text)", 0},
     {0},
@@ -243,7 +243,7 @@ int tool_price(int argc, char **argv) {
         children,
         NULL,
         NULL};
-    struct arguments a = {.report = {.source = tool_source_default}, .most = PIXELS};
+    struct arguments a = {.report = {.source = tool_source_default}, .most = SPH_JUDGE_PIXELS};
     struct sph_scene scene;
     struct sph_mip *mips = NULL;
     struct sph_error err = {""};

@@ -30,7 +30,7 @@ struct caches {
     uint64_t level[SPH_TEXTURE_LEVELS];         /* texels of each level */
 };
 
-static void ask(void *user, const struct sph_texel *t) {
+static void count_texel(void *user, const struct sph_texel *t) {
     struct caches *c = user;
     const uint32_t *head = sph_line(c->m, t->image);
     uint32_t w = sph_field(head, SPH_IMAGE_W_LSB, SPH_IMAGE_W_BITS) + 1;
@@ -51,7 +51,7 @@ static void ask(void *user, const struct sph_texel *t) {
 }
 
 static void walk(const struct sph_machine *m, struct caches *c) {
-    struct sph_render_options how = {.fetch = ask, .fetch_user = c};
+    struct sph_render_options how = {.fetch = count_texel, .fetch_user = c};
     const int32_t *r = m->regs;
     struct sph_counters counters = {{0}};
     uint32_t errors = 0;
@@ -75,7 +75,7 @@ static json_t *row(const char *name, const struct sph_cache cache[SIZES], FILE *
 }
 
 /* The table, and the same numbers for the report. */
-static void tell(const struct caches *c, FILE *to, json_t *report) {
+static void print_table(const struct caches *c, FILE *to, json_t *report) {
     json_t *list = json_array(), *levels = json_array();
     uint64_t asked = c->cache[0][0].asked;
     if (to) {
@@ -151,7 +151,7 @@ int tool_texels(int argc, char **argv) {
         walk(&built.machine, &c);
         json_t *report = report_new("texels");
         report_text(report, "input", a.input);
-        tell(&c, print_stream(a.json), report);
+        print_table(&c, print_stream(a.json), report);
         rc = report_write(report, a.json, &err);
     }
     for (int i = 0; i < SPH_ORDERS * SIZES; i++)

@@ -5,12 +5,12 @@
 #include <string.h>
 #include <strings.h>
 
-#include "builder/profile/choose_profile.h"
 #include "common/file.h"
 #include "image/mips.h"
 #include "scene/aff.h"
 #include "scene/generate.h"
 #include "tool/tool.h"
+#include "trial/choose.h"
 #include "trial/met.h"
 #include "validate/validate.h"
 
@@ -62,11 +62,8 @@ int tool_frame_size(const struct tool_source *source, const struct sph_scene *sc
 int tool_profile(const struct tool_source *source, const struct sph_scene *scene,
                  struct sph_build_options *build, struct sph_profile_choice *choice,
                  struct sph_error *err) {
-    *choice = (struct sph_profile_choice){.first = build->profile};
-    if (!source->profile_auto) return 0;
-    if (sph_choose_profile(scene, build, &source->bound, choice, err)) return -1;
-    build->profile = choice->first;
-    return 0;
+    *choice = (struct sph_profile_choice){.taken = SPH_PROFILES};
+    return source->profile_auto ? sph_choose(scene, build, &source->bound, choice, err) : 0;
 }
 
 int tool_build_scene(const struct tool_source *source, const struct sph_scene *scene,
@@ -75,7 +72,6 @@ int tool_build_scene(const struct tool_source *source, const struct sph_scene *s
     struct sph_profile_choice choice;
     struct sph_build_report *report = &built->report;
     built->from_scene = 1;
-    built->skipped = scene->n_skipped;
     o.mips = mips;
     if (tool_frame_size(source, scene, &o, err)) return -1;
     int (*build)(const struct sph_scene *, struct sph_build_options *, int,
@@ -85,10 +81,9 @@ int tool_build_scene(const struct tool_source *source, const struct sph_scene *s
     if (build(scene, &o, source->profile_auto, &source->bound, &choice, &built->machine, report,
               err))
         return -1;
-    built->expected = choice.estimate[o.profile];
+    built->picture = choice.of[choice.taken];
     if (source->profile_auto)
-        sph_profile_why(&choice, &source->bound, o.profile, built->profile_why,
-                        sizeof built->profile_why);
+        sph_choose_why(&choice, &source->bound, built->profile_why, sizeof built->profile_why);
     return 0;
 }
 

@@ -5,7 +5,7 @@
 #include "scene/motion.h"
 #include "tool/tool.h"
 
-enum { KEY_SIZE = 640, KEY_DEPTH, KEY_LEAST, KEY_AT, KEY_SKIP, KEY_ROUND, KEY_TIME };
+enum { KEY_SIZE = 640, KEY_DEPTH, KEY_LEAST, KEY_AT, KEY_SKIP, KEY_ROUND, KEY_TIME, KEY_STRICT };
 
 static const struct argp_option options[] = {
     {"size", KEY_SIZE, "WxH", 0, "frame in pixels; as the scene says if not given", 1},
@@ -20,6 +20,8 @@ static const struct argp_option options[] = {
      "leave out what is neither sphere, polygon, cone nor plane (patches) instead of refusing the "
      "scene",
      1},
+    {"strict", KEY_STRICT, NULL, 0,
+     "whatever of the scene is not used as it stands is an error, which names file and line", 1},
     {"round", KEY_ROUND, "E", 0,
      "cones and cylinders become triangles: no point of these is farther off than this part of the "
      "larger radius, 1e-6 to 0.5 (0.005)",
@@ -50,6 +52,9 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     case KEY_ROUND:
         s->read.round =
             tool_real(state, "--round", arg, SPH_FRUSTUM_ROUND_MIN, SPH_FRUSTUM_ROUND_MAX);
+        break;
+    case KEY_STRICT:
+        s->read.strict = 1;
         break;
     case KEY_SKIP:
         s->read.skip_unsupported = 1;

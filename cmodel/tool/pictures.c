@@ -11,7 +11,7 @@
 #include "engine/layers.h"
 #include "image/image.h"
 #include "image/video.h"
-#include "pixel/walk.h"
+#include "pixel/background.h"
 #include "trace/bih_walk.h"
 #include "trace/setup.h"
 

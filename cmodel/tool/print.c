@@ -24,6 +24,10 @@ static void print_lines(FILE *to, const char *head, const char *text) {
     }
 }
 
+void print_ledger(const struct sph_ledger *ledger) {
+    sph_ledger_print(ledger, SPH_USED_OTHERWISE, "sphaera: warning: ", stderr);
+}
+
 /* One line for each effect: what the machine has of it, and why. */
 static void print_effects(FILE *to, const struct sph_build_report *b) {
     for (int i = 0; i < SPH_REPORTS; i++) {
@@ -47,6 +51,7 @@ void print_build(FILE *to, const struct tool_built *built) {
     const struct sph_build_report *b = &built->report;
     const struct sph_machine *m = &built->machine;
     const int32_t *r = m->regs;
+    if (built->from_scene) print_ledger(&b->ledger);
     if (built->from_scene && b->warning[0]) print_lines(stderr, "sphaera: warning: ", b->warning);
     if (!to) return;
     struct sph_counts n = sph_machine_count(m);
@@ -57,7 +62,6 @@ void print_build(FILE *to, const struct tool_built *built) {
             sph_machine_profile(m)->name);
     if (!built->from_scene) return;
     if (built->profile_why[0]) fprintf(to, "profile  %s\n", built->profile_why);
-    if (built->skipped) fprintf(to, "skipped  %u unsupported primitives\n", built->skipped);
     fprintf(to, "grid     step %g, smallest radius %.4g steps, field of view off by %.2g\n",
             b->grid_step, b->smallest_radius, b->fov_error);
     fprintf(to, "tree     %s: %u nodes on %u levels, %.3f s%s%s\n", sph_machine_tree_name(m),

@@ -16,6 +16,9 @@ FILE *print_stream(const char *json_path);
 /* What build found out; warnings go to stderr. */
 void print_build(FILE *to, const struct tool_built *built);
 
+/* What was not used as it stands, a line for each kind: to stderr. */
+void print_ledger(const struct sph_ledger *ledger);
+
 /* What build left out, as no ray of the frame, or of any, meets it: effects and primitives. */
 void print_left_out(FILE *to, const struct sph_build_report *report);
 

@@ -88,6 +88,22 @@ static json_t *effects_of(const struct sph_build_report *b) {
     return list;
 }
 
+void report_ledger(json_t *report, const struct sph_ledger *ledger) {
+    json_t *list = json_array();
+    for (int kind = 0; kind < SPH_READS; kind++) {
+        const struct sph_ledger_row *row = &ledger->row[kind];
+        if (!row->n) continue;
+        json_t *entry = json_object();
+        report_text(entry, "kind", sph_read_name((enum sph_read)kind));
+        report_text(entry, "end", sph_read_end_name(sph_read_end((enum sph_read)kind)));
+        report_count(entry, "count", row->n);
+        report_text(entry, "file", row->file);
+        report_add(entry, "line", row->line ? json_integer(row->line) : json_null());
+        json_array_append_new(list, entry);
+    }
+    report_add(report, "ledger", list);
+}
+
 /* What the grid cuts off planes. */
 static json_t *cut_of(const struct sph_cut *cut) {
     json_t *json = json_object();
@@ -108,6 +124,17 @@ static json_t *expected(const struct sph_estimate *e) {
     return json;
 }
 
+/* What it was drawn to be like. */
+static json_t *measured(const struct sph_measured *m) {
+    json_t *json = json_object();
+    report_count(json, "pixels", m->pixels);
+    report_count(json, "of", m->of);
+    report_add(json, "psnr", isfinite(m->psnr) ? json_real(m->psnr) : json_null());
+    report_add(json, "psnr_least",
+               isfinite(m->psnr_least) ? json_real(m->psnr_least) : json_null());
+    return json;
+}
+
 void report_build(json_t *report, const struct tool_built *built) {
     const struct sph_build_report *b = &built->report;
     if (!report || !built->from_scene) return;
@@ -119,8 +146,10 @@ void report_build(json_t *report, const struct tool_built *built) {
     report_count(build, "depth", b->depth);
     if (b->tree_why[0]) report_text(build, "tree_why", b->tree_why);
     if (built->profile_why[0]) report_text(build, "profile_why", built->profile_why);
-    if (built->expected.fits) report_add(build, "expected", expected(&built->expected));
-    report_count(build, "skipped", built->skipped);
+    const struct sph_known_picture *picture = &built->picture;
+    if (picture->expected.fits) report_add(build, "expected", expected(&picture->expected));
+    if (picture->measured.pixels) report_add(build, "measured", measured(&picture->measured));
+    report_count(build, "skipped", sph_ledger_left_out(&b->ledger));
     report_number(build, "seconds", b->build_seconds);
     report_number(build, "tree_seconds", b->tree_seconds);
     if (sph_machine_bih(&built->machine)) report_bih(build, &built->machine, &b->bih);
@@ -130,6 +159,7 @@ void report_build(json_t *report, const struct tool_built *built) {
     report_add(build, "left_out", lines(b->left_out));
     report_add(build, "background", lines(b->background));
     report_add(build, "warnings", lines(b->warning));
+    report_ledger(build, &b->ledger);
     report_add(report, "build", build);
 }
 

@@ -11,6 +11,7 @@
 /* Each adds one member, or nothing if report is NULL. */
 void report_machine(json_t *report, const struct sph_machine *machine);
 void report_build(json_t *report, const struct tool_built *built);
+void report_ledger(json_t *report, const struct sph_ledger *ledger);
 void report_bih(json_t *report, const struct sph_machine *m, const struct sph_bih_stats *stats);
 void report_shot(json_t *report, const struct sph_shot *shot);
 

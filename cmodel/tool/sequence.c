@@ -71,6 +71,7 @@ struct run {
     struct sph_kept_tree kept;
     struct sph_census met; /* by the rays of all frames */
     struct sph_build_options options;
+    char profile_why[640]; /* empty if the profile was asked for */
 };
 
 static int build_frame(struct run *run, uint32_t frame, struct tool_built *built,
@@ -79,7 +80,6 @@ static int build_frame(struct run *run, uint32_t frame, struct tool_built *built
     memset(built, 0, sizeof *built);
     if (sph_scene_at(&run->rest, frame, &moved, err)) return -1;
     built->from_scene = 1;
-    built->skipped = moved.n_skipped;
     int rc = sph_build(&moved, &run->options, &built->machine, &built->report, err);
     if (!rc && run->options.numbers) { /* what it is built for is to find out what is met */
         rc = sph_census_add(&run->met, &moved, &run->options, &built->machine, &built->report, err);
@@ -109,21 +109,31 @@ static int census(struct run *run, const struct tool_frames *frames, struct sph_
     return 0;
 }
 
-/* The finer of the profiles that the first and the last frame ask for: one core draws them all. */
+/* The finest of the profiles that the first frame, the last and one between ask for: one core draws
+ * them all. */
 static int choose(struct run *run, const struct tool_source *source,
                   const struct tool_frames *frames, struct sph_error *err) {
-    const uint32_t ends[] = {frames->first, frames->last};
-    int most = 0;
-    for (int i = 0; i < 2 && source->profile_auto; i++) {
+    const uint32_t at[] = {frames->first, frames->first + (frames->last - frames->first) / 2,
+                           frames->last};
+    enum { FRAMES = sizeof at / sizeof *at };
+    int most = -1;
+    for (int i = 0; i < FRAMES && source->profile_auto; i++) {
         struct sph_scene moved;
         struct sph_profile_choice choice;
-        if (sph_scene_at(&run->rest, ends[i], &moved, NULL)) continue; /* told when it is built */
+        if (i && at[i] == at[i - 1]) continue;
+        if (sph_scene_at(&run->rest, at[i], &moved, NULL)) continue; /* told when it is built */
         int rc = tool_profile(source, &moved, &run->options, &choice, err);
         sph_scene_at_free(&moved);
         if (rc) return rc;
-        if (choice.first > most) most = choice.first;
+        if (choice.taken <= most) continue;
+        most = choice.taken;
+        sph_choose_why(&choice, &source->bound, run->profile_why, sizeof run->profile_why);
+        sph_note(run->profile_why, sizeof run->profile_why,
+                 "; so frame %" PRIu32 ", which asks for most of %" PRIu32 ", %" PRIu32
+                 " and %" PRIu32,
+                 at[i], at[0], at[1], at[2]);
     }
-    if (source->profile_auto) run->options.profile = most;
+    if (most >= 0) run->options.profile = most;
     return 0;
 }
 
@@ -165,7 +175,8 @@ int tool_each_frame(const char *path, const struct tool_source *source,
     if (!rc) rc = choose(&run, source, frames, err);
     if (!rc && source->effects == TOOL_EFFECTS_MET) {
         rc = census(&run, frames, err);
-        if (!rc) rc = choose(&run, source, frames, err); /* lights may be gone */
+        if (!rc && run.options.unmet && run.options.unmet->lights)
+            rc = choose(&run, source, frames, err); /* the grid may be finer without them */
     }
     if (!rc) rc = sph_bases_start(&run.bases, &run.rest, err);
     run.options.kept = &run.kept;
@@ -182,7 +193,9 @@ int tool_each_frame(const char *path, const struct tool_source *source,
         report_bases(entry, &built.report);
         report_time(entry, &built);
         run.options.later = 1;
+        if (run.profile_why[0]) report_text(entry, "profile_why", run.profile_why);
         if (frame == frames->first) {
+            if (to && run.profile_why[0]) fprintf(to, "profile  %s\n", run.profile_why);
             print_build(NULL, &built); /* warnings alone */
             if (run.met.kept)
                 sph_note(built.report.left_out, sizeof built.report.left_out, "nothing: %s\n",
@@ -270,9 +283,7 @@ static int import_one(const char *path, const struct tool_import_aff *how,
         sph_scene_free(&scene);
         return -1;
     }
-    if (scene.n_skipped)
-        fprintf(stderr, "sphaera: warning: %s: %u unsupported primitives left out\n", path,
-                scene.n_skipped);
+    print_ledger(&scene.ledger);
     const char *slash = strrchr(scene.path, '/');
     if (slash) memmove(scene.path, slash + 1, strlen(slash));
     return tool_write_scene(output, &scene, err);

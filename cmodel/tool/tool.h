@@ -9,7 +9,7 @@
 
 #include <argp.h>
 
-#include "builder/profile/choose_profile.h"
+#include "trial/choose.h"
 #include "common/error.h"
 #include "machine/machine.h"
 #include "scene/scene.h"
@@ -134,9 +134,8 @@ struct tool_built {
     struct sph_machine machine;
     int from_scene; /* the fields below are set */
     struct sph_build_report report;
-    uint32_t skipped; /* unsupported primitives left out */
-    struct sph_estimate expected;
-    char profile_why[512]; /* empty if the profile was asked for */
+    struct sph_known_picture picture; /* of its widths */
+    char profile_why[512];            /* empty if the profile was asked for */
 };
 
 /* With --profile auto: the options, which have the size of the frame, get the cheapest profile that

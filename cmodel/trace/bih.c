@@ -13,18 +13,13 @@ static int at_least_0(int n) {
 }
 
 void sph_bih_setup(const struct sph_profile *p, const struct sph_ray *ray, struct sph_bih_ray *b) {
-    int bits = p->wd > SPH_BIH_DIVIDE ? p->wd : SPH_BIH_DIVIDE;
     uint64_t a = ray->a ? ray->a : 1;
     b->v_shift = at_least_0(p->w + 2 - SPH_BIH_V);
-    int cut = at_least_0(sph_bit_length(a) - bits); /* of a; dir is exact */
     b->t_shift = at_least_0(p->w + p->wd + 2 - SPH_BIH_T);
     for (int i = 0; i < 3; i++) {
         int64_t d = ray->dir[i];
-        b->axis[i] = (struct sph_bih_axis){d == 0, d < 0, 0, 0};
-        uint64_t size = (uint64_t)(d < 0 ? -d : d);
-        struct sph_quotient q = sph_quotient(a >> cut, bits, size ? size : 1, p->wd, SPH_BIH_G);
-        b->axis[i].mant = q.mant;
-        b->axis[i].shift = q.exp - cut + b->t_shift - b->v_shift;
+        struct sph_quotient q = sph_ratio(a, d ? (uint64_t)(d < 0 ? -d : d) : 1);
+        b->axis[i] = (struct sph_bih_axis){d == 0, d < 0, q.mant, q.exp + b->t_shift - b->v_shift};
     }
     b->limit = sph_ray_ends(ray) ? sph_bih_time(b, ray->a) : SPH_BIH_NO_BOUND;
 }
@@ -96,11 +91,14 @@ void sph_box_axes(const struct sph_profile *p, const struct sph_bih_ray *bih,
         int64_t at = v * x->mant >> shift;
         if (at < -FRAME_T) at = -FRAME_T;
         if (at > BEYOND) at = BEYOND;
-        int32_t begin = (int32_t)at, more = begin >> EXACT;
+        int32_t begin = (int32_t)at, rest = begin >> EXACT;
+        int fine = shift - s > SPH_BOX_FINE ? SPH_BOX_FINE : 0;
+        int32_t step = (int32_t)((uint64_t)x->mant >> (shift - s - fine));
         axes[i] = (struct sph_box_axis){
-            .enter = begin + (begin < 0 ? more : 0) - x->zero,
-            .leave = begin + 2 + (begin < 0 ? 0 : more),
-            .step = (int32_t)((uint64_t)x->mant >> (shift - s)),
+            .enter = begin + (begin < 0 ? rest : 0) - x->zero,
+            .leave = begin + (begin < 0 ? 0 : rest) + (step >> fine) + 5,
+            .step = step,
+            .fine = fine,
             .back = x->negative,
             .flat = x->zero,
             .open = x->zero || x->shift < 0 || steep,
@@ -114,8 +112,8 @@ int sph_box_meets(const struct sph_box_axis axes[3], const struct sph_ray *ray,
     for (int i = 0; i < 3; i++) {
         const struct sph_box_axis *x = &axes[i];
         int lo = planes->lo[i], hi = planes->hi[i], end = SPH_BOX_CODES - 1;
-        int32_t enter = x->enter + (x->back ? end - hi : lo) * x->step;
-        int32_t leave = x->leave + ((x->back ? end - lo : hi) + 1) * (x->step + 2);
+        int32_t enter = x->enter + ((x->back ? end - hi : lo) * x->step >> x->fine);
+        int32_t leave = x->leave + ((x->back ? end - lo : hi) * (x->step + 2) >> x->fine);
         if (x->flat) enter |= BEYOND; /* what is below 0 stays so */
         if (x->open) leave |= BEYOND;
         if (enter > first) first = enter;

@@ -42,10 +42,8 @@ uint32_t sph_bih_time(const struct sph_bih_ray *b, uint64_t key);
 /* Cuts *span to what lies on one side of the plane: coordinate `axis` >= clip, or with `below` <=
  * clip. 0 if nothing is left on this side; whether lo <= hi is for the caller to see.
  *
- * Why no bound is too narrow, with the words of docs/design/bih.md: q = a / |d| * 2^(exp - cut)
- * lies in [mant, mant + 2), for sph_quotient forms floor(An / Dn 2^17) of a >> cut and the size of
- * d, both with their top bits set in DW bits; what `cut` took of a adds less than 2^17 / Dn <= 1/4,
- * so with the floor q < mant + 1 + 1/4. An entering plane, v > 0, is met at
+ * Why no bound is too narrow, with the words of docs/design/bih.md: q = a / |d| * 2^exp lies in
+ * [mant, mant + 2), as sph_ratio() has it. An entering plane, v > 0, is met at
  * T = v a / |d| / 2^SH >= (v >> VS) mant / 2^shift, and a negative shift taken for 0 makes it
  * smaller still: L <= floor(T) of every point behind it. Of every point before a leaving plane,
  * v >= 0, T is at most v a / |d| / 2^SH < up (mant + 2) / 2^shift < U, or U is no bound. */
@@ -62,8 +60,9 @@ int sph_bih_cut(const struct sph_bih_ray *b, const struct sph_ray *ray, int axis
  * runs back, plane n is that of 128 - n steps. */
 struct sph_box_axis {
     int32_t enter; /* T-word of plane 0, s26, not above it */
-    int32_t leave; /* not below it */
-    int32_t step;  /* T-word of a step, u17, not above it, nor below it by more than 2 */
+    int32_t leave; /* of plane 1, above it */
+    int32_t step;  /* T-words of a step, u17, times 2^fine: not above it, by less than 2 */
+    int fine;      /* SPH_BOX_FINE or 0 */
     int back;      /* the ray runs towards smaller coordinates */
     int flat;      /* it does not move along the axis: enter is 1 less */
     int open;      /* planes that are not behind its origin do not bound it from above */
@@ -77,13 +76,18 @@ int32_t sph_box_depth(uint32_t time);
  * Why the words are no better than what they bound: with q = a / |d| in [mant, mant + 2), a plane
  * n steps of 2^s grid units behind plane 0, v away, is met at T = (v + n 2^s) q / 2^shift. If
  * `open` for its shift, the shift is greater than the ray's, so that a T above 0 is taken for a
- * smaller one, which bounds nothing from above; the sign stays. With x = v mant / 2^shift and at =
- * floor(x): v >= 0   x <= v q / 2^shift <= x + 2 v / 2^shift <= x (1 + 2^-15), for mant >= 2^16, so
- * that at <= T of plane 0, and its floor is at most at + 1 + (at + 1 >> 15) v < 0    x >= v q /
- * 2^shift >= x (1 + 2^-15), so that T >= at + (at >> 15), and its floor is at most `at` A step is
- * 2^s q / 2^shift in [step, step + 2), for it loses a bit at least. So n > 0 of them are below n
- * (step + 2), and T of the plane below leave + n (step + 2) - 1. Where `at` was limited T is above
- * all words, or below 0 for any n. */
+ * smaller one, which bounds nothing from above; the sign stays. Let x = v mant / 2^shift, y that of
+ * q, at = floor(x).
+ *
+ * For v >= 0, x <= y <= x + 2 v / 2^shift <= x (1 + 2^-15), for mant >= 2^16: at <= y, and floor(y)
+ * <= at + 1 + (at >> 15). For v < 0, x >= y >= x (1 + 2^-15): y >= at + (at >> 15), and
+ * floor(y) <= at.
+ *
+ * A step, times 2^fine, is 2^s q / 2^(shift - fine) in [step, step + 2), for it loses a bit at
+ * least. So n of them are at least n step / 2^fine, and below n (step + 2) / 2^fine for n > 0.
+ * Plane n + 1 is met before leave + (n (step + 2) >> fine): leave has 3 for what three floors lose,
+ * and 2 above. Where `at` was limited T is above all words, or below 0 for any n.
+ */
 void sph_box_axes(const struct sph_profile *p, const struct sph_bih_ray *bih,
                   const struct sph_ray *ray, const struct sph_box_frame *frame,
                   struct sph_box_axis axes[3]);

@@ -1,16 +1,18 @@
 /* known_table.h - generated from docs/results/data by `python3 -m lab known`; do not edit
  * SPDX-License-Identifier: Apache-2.0
  */
-/* profile, effects, pipes, LUT4eq, MULT18X18D, DP16KD, worst, median, best MHz, seeds; nothing is
- * estimated */
+/* profile, effects, pipes, LUT4eq, MULT18X18D, DP16KD, worst, median, best MHz, seeds */
 #define SPH_KNOWN_CORES \
     {"draft", "shadow+reflect2+lights3+inside", 1, 14728, 64, 91, 133.2, 133.2, 133.2, 1, 0, 0}, \
     {"fine", "shadow+reflect2+lights3+inside", 1, 19589, 64, 99, 124.2, 124.2, 124.2, 1, 0, 0}, \
+    {"reference", "shadow+lights1+facets+camera", 1, 23984, 89, 91, 0, 0, 0, 0, 0, 0}, \
+    {"reference", "shadow+lights2+facets", 1, 23897, 89, 92, 0, 0, 0, 0, 0, 0}, \
     {"reference", "shadow+reflect2+lights3+inside", 1, 20571, 64, 109, 123.3, 123.3, 123.3, 1, 0, 0}, \
     {"standard", "bih", 1, 11193, 20, 67, 0, 0, 0, 0, 0, 0}, \
     {"standard", "facets+boxes", 1, 24795, 66, 61, 0, 0, 0, 0, 0, 0}, \
     {"standard", "inside", 1, 12262, 55, 57, 0, 0, 0, 0, 0, 0}, \
     {"standard", "inside+first+interpenetrate", 1, 15213, 58, 81, 0, 0, 0, 0, 0, 0}, \
+    {"standard", "lights1+camera", 1, 13826, 59, 76, 0, 0, 0, 0, 0, 0}, \
     {"standard", "lights1+specular+sum", 1, 17407, 63, 95, 0, 0, 0, 0, 0, 0}, \
     {"standard", "lights2", 1, 14594, 59, 77, 0, 0, 0, 0, 0, 0}, \
     {"standard", "lights2+inside", 1, 14823, 59, 78, 0, 0, 0, 0, 0, 0}, \
@@ -32,6 +34,7 @@
     {"standard", "shadow+reflect2+lights1+inside", 1, 16846, 64, 94, 0, 0, 0, 0, 0, 0}, \
     {"standard", "shadow+reflect2+lights1+inside+facets+refract+specular+sum", 1, 25471, 91, 122, 0, 0, 0, 0, 0, 0}, \
     {"standard", "shadow+reflect2+lights1+inside+facets+texture+spread", 1, 28509, 98, 136, 0, 0, 0, 0, 0, 0}, \
+    {"standard", "shadow+reflect2+lights1+inside+refract+specular+sum", 1, 21105, 71, 122, 0, 0, 0, 0, 0, 0}, \
     {"standard", "shadow+reflect2+lights2", 1, 16656, 64, 94, 0, 0, 0, 0, 0, 0}, \
     {"standard", "shadow+reflect2+lights2+facets", 1, 21062, 84, 95, 0, 0, 0, 0, 0, 0}, \
     {"standard", "shadow+reflect2+lights2+inside", 1, 16920, 64, 95, 0, 0, 0, 0, 0, 0}, \
@@ -47,15 +50,16 @@
     {"standard", "shadow+reflect2+lights8+inside", 1, 16940, 64, 95, 0, 0, 0, 0, 0, 0}, \
     {"standard", "sum", 1, 13387, 57, 64, 0, 0, 0, 0, 0, 0}, \
     {"standard", "texture", 1, 24566, 72, 106, 0, 0, 0, 0, 0, 0}
-/* word, what it adds to a core of profile standard: LUT4eq, MULT, DP16KD; brings points */
+/* word, what it adds to a core of profile standard: LUT4eq, MULT, DP16KD; points */
 #define SPH_KNOWN_WORDS \
     {"bih", -912, -35, 10, 0}, \
-    {"boxes", 8267, -9, 4, 0}, \
+    {"boxes", 8274, -9, 4, 0}, \
+    {"camera", 87, 0, -1, 0}, \
     {"clear", 8, 0, 0, 0}, \
     {"cones", 1367, 0, 0, 0}, \
-    {"facets", 4423, 20, 0, 0}, \
+    {"facets", 4416, 20, 0, 0}, \
     {"first", 185, 0, 3, 0}, \
-    {"inside", 246, 0, 1, 0}, \
+    {"inside", 252, 0, 1, 0}, \
     {"interpenetrate", 220, 0, 3, 1}, \
     {"lights", 694, 3, 12, 1}, \
     {"points", 1842, 1, 10, 0}, \
@@ -66,7 +70,6 @@
     {"smooth", 2797, 1, 6, 0}, \
     {"spans", 450, 0, 0, 0}, \
     {"specular", 1531, 2, 11, 0}, \
-    {"spread", -1722, -1, 2, 0}, \
+    {"spread", 13, 0, 2, 0}, \
     {"sum", 1282, 2, 7, 0}, \
-    {"texture", 10654, 16, 40, 1}, \
-    {"turned", -930, 3, 1, 0}
+    {"texture", 10654, 16, 40, 1}

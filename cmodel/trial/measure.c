@@ -47,41 +47,28 @@ static uint32_t sample(struct sph_yardstick *y, uint32_t most) {
     return n;
 }
 
-/* Mean squared difference of two pixels: twice the variance, all channels; the most, of one. */
-static double contrast(const struct sph_reference *r) {
-    double n = (double)r->width * r->height, difference = 0;
-    for (int shift = 0; shift < 24; shift += 8) {
-        double sum = 0, squares = 0;
-        for (size_t i = 0; i < (size_t)r->width * (size_t)r->height; i++) {
-            double c = (r->pixels[i].colour[SPH_FRAMES - 1] >> shift & 255) / 255.0;
-            sum += c, squares += c * c;
-        }
-        difference += 2 * (squares - sum / n * sum) / (n - 1) / 3;
-    }
-    return n > 1 ? fmax(difference, 0) : 1;
-}
-
 int sph_yardstick_make(const struct sph_scene *scene, const struct sph_build_options *o,
-                       uint32_t most, int lod, int threads, struct sph_yardstick *y,
+                       const struct sph_yardstick_options *asked, struct sph_yardstick *y,
                        struct sph_error *err) {
+    int all = !asked->as_asked;
     *y = (struct sph_yardstick){.scene = scene,
                                 .width = o->width ? o->width : scene->camera.width,
                                 .height = o->height ? o->height : scene->camera.height};
     struct sph_reference_options how = {.width = y->width,
                                         .height = y->height,
                                         .max_depth = o->max_depth,
-                                        .shadow = 1,
-                                        .reflect = 1,
-                                        .refract = 1,
-                                        .specular = 1,
-                                        .threads = threads,
+                                        .shadow = all || o->shadow != SPH_OFF,
+                                        .reflect = all || o->reflect != SPH_OFF,
+                                        .refract = all || o->refract != SPH_OFF,
+                                        .specular = all || o->specular != SPH_OFF,
+                                        .threads = asked->threads,
                                         .mips = o->texture == SPH_OFF ? NULL : o->mips,
                                         .filter = o->tex_filter,
-                                        .lod = lod,
+                                        .lod = asked->lod,
                                         .spread = o->spread != SPH_OFF};
     double start = cpu_now();
-    if (most && (uint64_t)y->width * (uint64_t)y->height > most) {
-        how.n_places = sample(y, most);
+    if (asked->most && (uint64_t)y->width * (uint64_t)y->height > asked->most) {
+        how.n_places = sample(y, asked->most);
         how.places = y->places;
         if (!y->places) return sph_fail(err, "%s: no memory for a sample", scene->path);
     }
@@ -90,7 +77,6 @@ int sph_yardstick_make(const struct sph_scene *scene, const struct sph_build_opt
         return -1;
     }
     y->seconds = cpu_now() - start;
-    y->contrast = contrast(&y->reference);
     return 0;
 }
 
@@ -172,13 +158,40 @@ double sph_trial_at_most(uint64_t k, uint64_t n) {
     return high;
 }
 
-/* dB that a sample leaves: see SPH_TRIAL_SURE. */
-static double psnr_least(const struct sph_yardstick *y, const struct sph_image_error *e,
-                         uint64_t counted) {
-    enum { SIGMAS = 2 };
-    double mean = pow(10, -e->psnr[SPH_FRAMES - 1] / 10);
-    if (counted) mean += SIGMAS * e->deviation / sqrt((double)counted);
-    return -10 * log10(mean + sph_trial_at_most(0, counted) * y->contrast);
+#define FULL (255.0 * 255 * 3) /* squared error of black against white */
+#define BET 0.9                /* near 1: wide where no pixel is far off it is not */
+#define WEIGHED 4294967296.0   /* 2^32 */
+
+void sph_squares_add(struct sph_squares *s, uint32_t colour, uint32_t like) {
+    uint32_t square = 0;
+    for (int shift = 0; shift < 24; shift += 8) {
+        int off = (int)(colour >> shift & 255) - (int)(like >> shift & 255);
+        square += (uint32_t)(off * off);
+    }
+    s->n++;
+    s->square += square;
+    if (square) s->weighed += (uint64_t)ceil(-log1p(-BET * square / FULL) * WEIGHED);
+}
+
+double sph_squares_psnr(const struct sph_squares *s, uint64_t n) {
+    return s->square ? 10 * log10(FULL * (double)n / (double)s->square) : INFINITY;
+}
+
+double sph_squares_psnr_least(const struct sph_squares *s) {
+    double weighed = (double)s->weighed / WEIGHED, sure = log(SPH_PROFILES / (1 - SPH_TRIAL_SURE));
+    if (!s->n) return 0;
+    return fmax(-10 * log10(-expm1(-(weighed + sure) / (double)s->n) / BET), 0);
+}
+
+/* The same of a sample that was drawn. */
+static double psnr_least(const struct sph_yardstick *y, const struct sph_frame *drawn) {
+    const struct sph_reference *like = &y->reference;
+    struct sph_squares s = {0};
+    for (int i = 0; i < like->width; i++)
+        if (!like->pixels[i].doubt)
+            sph_squares_add(&s, drawn->pixels[i].colour[SPH_FRAMES - 1],
+                            like->pixels[i].colour[SPH_FRAMES - 1]);
+    return sph_squares_psnr_least(&s);
 }
 
 void sph_trial_judge(const struct sph_yardstick *y, struct sph_trial *t) {
@@ -193,7 +206,7 @@ void sph_trial_judge(const struct sph_yardstick *y, struct sph_trial *t) {
     t->psnr_least = e->psnr[SPH_FRAMES - 1];
     t->wrong_most = counted ? (double)t->wrong / (double)counted : 0;
     if (!y->places) return;
-    t->psnr_least = psnr_least(y, e, counted);
+    t->psnr_least = psnr_least(y, &t->shot.frame);
     t->wrong_most = sph_trial_at_most(t->wrong, counted);
 }
 

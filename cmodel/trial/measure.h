@@ -20,16 +20,21 @@ struct sph_yardstick {
     int width, height;              /* of the frame, pixels */
     uint32_t *places;               /* of the sample, y * width + x; NULL: every pixel counts */
     struct sph_reference reference; /* of these pixels in their order, or of the whole frame */
-    double contrast; /* mean squared difference of two of them, 0 .. 1 of black and white */
-    double seconds;  /* of processor, all threads */
+    double seconds;                 /* of processor, all threads */
+};
+
+struct sph_yardstick_options {
+    uint32_t most; /* pixels of the sample at most; 0: the whole frame */
+    int lod;       /* SPH_LOD_*, of the reference */
+    int threads;   /* 0: all */
+    int as_asked;  /* 1: shadows, mirrors, glass and highlights that are off are so here, too */
 };
 
 /* Draws the yardstick for the size, depth and textures that build options ask for, with all other
- * effects that the scene has. Images are options->mips. most: pixels of the sample at most, 0: the
- * whole frame. lod: SPH_LOD_*, of the reference; threads: 0: all. 0, or -1 with a message and
- * nothing to free: as sph_reference_render(). */
+ * effects that the scene has. Images are options->mips. 0, or -1 with a message and nothing to
+ * free: as sph_reference_render(). */
 int sph_yardstick_make(const struct sph_scene *scene, const struct sph_build_options *options,
-                       uint32_t most, int lod, int threads, struct sph_yardstick *yardstick,
+                       const struct sph_yardstick_options *how, struct sph_yardstick *yardstick,
                        struct sph_error *err);
 
 void sph_yardstick_free(struct sph_yardstick *yardstick);
@@ -51,9 +56,27 @@ struct sph_trial {
 
 /* Bounds of a sample hold with this probability. That of wrong pixels is Clopper and Pearson's; for
  * a pixel out of each cell it is a little too wide (W. Hoeffding, Ann. Math. Stat. 27, 1956). That
- * of dB takes the mean squared error for normally distributed, and then adds as many pixels as may
- * be wrong where a sample shows none, each off by as much as two pixels of the picture differ. */
+ * of dB is sph_squares_psnr_least(). */
 #define SPH_TRIAL_SURE 0.975
+
+/* Squared errors of some pixels, in integers: their order, and so threads, change nothing. */
+struct sph_squares {
+    uint64_t n;
+    uint64_t square;  /* sum over pixels and channels, levels^2 */
+    uint64_t weighed; /* u32.32, what sph_squares_psnr_least() goes by */
+};
+
+void sph_squares_add(struct sph_squares *s, uint32_t colour, uint32_t like);
+
+/* dB if n pixels have these errors together. No error: INFINITY. */
+double sph_squares_psnr(const struct sph_squares *s, uint64_t n);
+
+/* dB, at least, of the frame that they are a sample of, whatever its errors are like: of all
+ * SPH_PROFILES machines measured by one yardstick with probability SPH_TRIAL_SURE. With errors x of
+ * pixels, 0..1, of mean m, the mean of the product of all 1 - b x is at most (1 - b m)^n, for any b
+ * below 1; Markov's inequality then bounds m (I. Waudby-Smith, A. Ramdas, J. R. Stat. Soc. B 86,
+ * 2024, with one bet b). */
+double sph_squares_psnr_least(const struct sph_squares *s);
 
 /* Builds a machine of the yardstick's scene, draws its pixels and measures them. The options may
  * ask for any profile, tree and effects; size, depth and images must be those of the yardstick.

@@ -197,8 +197,8 @@ static int64_t choose_drops(const struct sph_census *c, const struct sph_scene *
 }
 
 /* What drops[] marks, a line each for the first ones. */
-static void tell(const struct sph_scene *scene, const uint8_t *drop, int64_t n, char *text,
-                 size_t size) {
+static void name_drops(const struct sph_scene *scene, const uint8_t *drop, int64_t n, char *text,
+                       size_t size) {
     enum { LINES = 8 };
     int64_t told = 0;
     for (uint32_t i = 0; i < scene->n_spheres + scene->n_facets && told < LINES; i++) {
@@ -224,20 +224,27 @@ struct task {
     struct sph_build_report *report;
 };
 
-/* Builds anew. */
+/* Builds without what is unmet, in the widths of look(). */
 static int build(const struct task *t, const struct sph_scene *scene, const struct sph_unmet *unmet,
                  struct sph_error *err) {
     sph_machine_free(t->m);
     t->o->unmet = unmet;
-    int rc = sph_build_kept(scene, t->o, t->choose, t->bound, t->choice, t->m, t->report, err);
+    int rc = sph_build(scene, t->o, t->m, t->report, err);
     t->o->unmet = NULL;
     return rc;
+}
+
+/* The machine is the last one: says what it misses. */
+static int tell(const struct task *t, const struct sph_scene *scene, struct sph_error *err) {
+    return sph_choose_tell(scene, t->o, t->choose, t->bound, t->choice, t->report, err);
 }
 
 /* Builds with everything and draws that. */
 static int look(const struct task *t, struct sph_census *c, const struct sph_scene *scene,
                 struct sph_error *err) {
-    return build(t, scene, NULL, err) || sph_census_add(c, scene, t->o, t->m, t->report, err);
+    sph_machine_free(t->m);
+    return sph_build_chosen(scene, t->o, t->choose, t->bound, t->choice, t->m, t->report, err) ||
+           sph_census_add(c, scene, t->o, t->m, t->report, err);
 }
 
 /* The scene has lost lights or primitives: its frame is drawn anew, on its own grid. */
@@ -253,7 +260,7 @@ static int on_own_grid(const struct task *t, const struct sph_unmet *whole,
         rc = build(t, rest, &c.unmet, err);
     }
     sph_census_free(&c);
-    return rc;
+    return rc ? rc : tell(t, rest, err);
 }
 
 /* Numbers that primitives have without those of drop[] become numbers in the scene. */
@@ -277,20 +284,21 @@ static int leave_out(const struct task *t, struct sph_census *c, const struct sp
     if (!unmet) {
         sph_note(t->report->left_out, sizeof t->report->left_out, "nothing: %s\n",
                  c->kept ? c->kept : "no memory");
-        return 0;
+        return tell(t, scene, err);
     }
     int turned = sph_machine_effect(t->m, SPH_EFFECT_TURNED);
     int64_t n =
         choose_drops(c, &dark, t->m->profile.w, turned ? SPH_AXES_SCENE : SPH_AXES_CAMERA, drop);
     if (n < 0) return sph_fail(err, "%s: no memory", scene->path);
     if (!n && !unmet->lights)
-        return spare(c, t->m, t->o->numbers) ? build(t, scene, unmet, err) : 0;
+        return (spare(c, t->m, t->o->numbers) && build(t, scene, unmet, err)) ||
+               tell(t, scene, err);
     int rc = without(&dark, drop, &rest) ? sph_fail(err, "%s: no memory", scene->path)
                                          : on_own_grid(t, unmet, &rest, err);
     release(&rest);
     if (rc || renumber(c, drop, t->m, t->o->numbers, err)) return -1;
     sph_emit_camera(t->m, t->report);
-    tell(scene, drop, n, t->report->left_out, sizeof t->report->left_out);
+    name_drops(scene, drop, n, t->report->left_out, sizeof t->report->left_out);
     return 0;
 }
 

@@ -7,7 +7,7 @@
 #ifndef SPH_TRIAL_MET_H
 #define SPH_TRIAL_MET_H
 
-#include "builder/profile/choose_profile.h"
+#include "trial/choose.h"
 
 /* Pixels that are drawn at most, of all frames together; where there are more, all is kept. */
 enum { SPH_CENSUS_PIXELS = 1 << 22 };

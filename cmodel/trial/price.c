@@ -43,18 +43,19 @@ static void of_core(struct sph_price_row *r, const struct sph_machine *m, int pi
 static int measure_met(const struct job *j, struct sph_build_options *o, struct sph_trial *t,
                        struct sph_estimate *expected, struct sph_error *err) {
     const struct sph_scene *scene = j->yardstick.scene;
-    struct sph_profile_choice choice = {0};
+    const struct sph_error_bound any = {INFINITY, 0}; /* it is measured here */
+    struct sph_profile_choice choice;
     memset(t, 0, sizeof *t);
     t->numbers = calloc((size_t)scene->n_spheres + scene->n_facets + 1, sizeof *t->numbers);
     if (!t->numbers) return sph_fail(err, "%s: no memory", scene->path);
     o->numbers = t->numbers;
-    int rc = sph_build_met(scene, o, 0, &j->o->bound, &choice, &t->machine, &t->report, err) ||
+    int rc = sph_build_met(scene, o, 0, &any, &choice, &t->machine, &t->report, err) ||
              sph_trial_draw(&j->yardstick, j->o->threads, t, err);
     if (rc)
         sph_trial_free(t);
     else
         sph_trial_judge(&j->yardstick, t);
-    if (!rc) *expected = choice.estimate[o->profile];
+    if (!rc) *expected = choice.of[choice.taken].expected;
     return rc;
 }
 
@@ -180,9 +181,9 @@ int sph_price_make(const struct sph_scene *scene, const struct sph_build_options
     struct job j = {.build = build, .o = options, .price = price};
     memset(price, 0, sizeof *price);
     price->best = -1;
-    if (sph_yardstick_make(scene, build, options->most, SPH_LOD_MENDED, options->threads,
-                           &j.yardstick, err))
-        return -1;
+    const struct sph_yardstick_options how = {
+        .most = options->most, .lod = SPH_LOD_MENDED, .threads = options->threads};
+    if (sph_yardstick_make(scene, build, &how, &j.yardstick, err)) return -1;
     price->width = j.yardstick.width;
     price->height = j.yardstick.height;
     price->sampled = j.yardstick.places != NULL;
@@ -197,18 +198,17 @@ int sph_price_make(const struct sph_scene *scene, const struct sph_build_options
 static void worst_kind(const struct sph_accuracy *a, char *text, size_t size) {
     const struct {
         uint64_t pixels;
-        const char *help;
-    } kinds[] = {{a->image.silhouette + a->image.wrong_id,
-                  "see another object: more bits of W, or a camera nearer to what is small"},
-                 {a->shadow, "have another shadow: more bits of W and PQ"},
-                 {a->reflected, "see another object in a mirror: more bits of WD and PQ"},
-                 {a->refracted, "see another object through glass: more bits of WD and PQ"}};
+        const char *how;
+    } kinds[] = {{a->image.silhouette + a->image.wrong_id, "see another object"},
+                 {a->shadow, "have another shadow"},
+                 {a->reflected, "see another object in a mirror"},
+                 {a->refracted, "see another object through glass"}};
     size_t most = 0;
     for (size_t i = 1; i < sizeof kinds / sizeof *kinds; i++)
         if (kinds[i].pixels > kinds[most].pixels) most = i;
     if (kinds[most].pixels)
         sph_note(text, size, "; %lu of its pixels %s", (unsigned long)kinds[most].pixels,
-                 kinds[most].help);
+                 kinds[most].how);
 }
 
 void sph_price_says(const struct sph_price *price, const struct sph_error_bound *bound, char *text,

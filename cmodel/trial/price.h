@@ -7,10 +7,9 @@
 #ifndef SPH_TRIAL_PRICE_H
 #define SPH_TRIAL_PRICE_H
 
-#include "builder/profile/choose_profile.h"
+#include "trial/choose.h"
 #include "trial/cycles.h"
 #include "trial/known.h"
-#include "trial/measure.h"
 
 enum { SPH_PRICE_ROWS = 16 };
 

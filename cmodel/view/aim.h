@@ -10,7 +10,7 @@
 #define SPH_VIEW_AIM_H
 
 #include "machine/machine.h"
-#include "reference/view.h"
+#include "reference/world.h"
 
 struct view_aim {
     int turned; /* 0: the machine's own rays */

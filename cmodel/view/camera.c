@@ -5,7 +5,7 @@
 
 #include <math.h>
 
-#include "reference/view.h"
+#include "reference/world.h"
 #include "scene/vector.h"
 
 static const double degree = 3.14159265358979323846 / 180;

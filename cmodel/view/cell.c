@@ -6,7 +6,7 @@
 #include "engine/layers.h"
 #include "engine/render_pixel.h"
 #include "fast/pixel.h"
-#include "pixel/walk.h"
+#include "pixel/background.h"
 #include "view/workers.h"
 
 /* Scene units along the primary ray. */

@@ -1,8 +1,8 @@
 # left_out.py - what leaving out saves: cells and cycles of scenes, before and after
 # SPDX-License-Identifier: Apache-2.0
-"""Each scene with all that it names (--effects all) and without what no ray of its frame meets, at the
-profile and in the tree that the tool takes: the cells of the core that the machine asks for, and its
-cycles a pixel in RTL with cold caches. Puts the table `left_out` into PAGE."""
+"""Each scene with all that it names (--effects all) and without what no ray of its frame meets, at
+the profile and in the tree that the tool takes: the cells of the core that the machine asks for,
+and its cycles a pixel in RTL with cold caches. Puts the table `left_out` into PAGE."""
 import json
 import subprocess
 import sys

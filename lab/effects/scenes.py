@@ -58,8 +58,8 @@ def build(tool, scene, options, machine):
     """Builds the machine; the report of build. An unchanged file keeps its time."""
     with intact.beside(machine, anew=True) as new:
         made = subprocess.run([tool, "build", scene, "--profile", PROFILE, "--size", SIZE, *options,
-                               "--effects", "all", "-o", new, "--json", "-"], check=True, stdout=subprocess.PIPE,
-                              stderr=subprocess.PIPE)
+                               "--effects", "all", "-o", new, "--json", "-"], check=True,
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     return json.loads(made.stdout)
 
 

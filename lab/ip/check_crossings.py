@@ -27,7 +27,7 @@ class End:
     """-from or -to of a constraint: a clock, or patterns of cells."""
 
     def __init__(self, text):
-        self.cells = [word for one, more in CELLS.findall(text) for word in [one or more][0].split()]
+        self.cells = [word for one, more in CELLS.findall(text) for word in (one or more).split()]
         clock = CLOCK.search(text)
         self.clock = (clock[1] or clock[2]) if clock and not self.cells else None
 

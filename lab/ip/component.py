@@ -1,7 +1,7 @@
 # component.py - component.xml: rt_top of one configuration in IP-XACT, IEEE 1685-2014
 # SPDX-License-Identifier: Apache-2.0
-"""Bus interfaces by the names of ports, registers from top.def and machine.def, files of the folder.
-Elements stand in the order of the schema."""
+"""Bus interfaces by the names of ports, registers from top.def and machine.def, files of the
+folder. Elements stand in the order of the schema."""
 import xml.etree.ElementTree as ET
 
 SPACE = "http://www.accellera.org/XMLSchema/IPXACT/1685-2014"

@@ -106,7 +106,8 @@ static void say_pixels(const struct sphaera *s, const uint8_t *file, const uint6
     const uint32_t status = s->bus.read(s->bus.user, SPHAERA_STATUS);
     const uint32_t newest = (status & SPHAERA_STATUS_NEWEST) >> SPHAERA_STATUS_NEWEST_LSB;
     for (uint32_t y = 0; y < height; y++) {
-        const volatile uint16_t *row = (const volatile uint16_t *)(uintptr_t)(frames[newest] + y * STRIDE);
+        const volatile uint16_t *row =
+            (const volatile uint16_t *)(uintptr_t)(frames[newest] + y * STRIDE);
         say("row ");
         for (uint32_t x = 0; x < width; x++)
             say_hex(row[x], 4);

@@ -31,8 +31,8 @@ def proofs():
 def measured(name, column, key="module"):
     """{module: cell} of a table of verification.md."""
     head, rows = data.read(f"verification.{name}")
-    return {row[head.index(key)].strip("`"): row[column if isinstance(column, int) else
-                                                 head.index(column)] for row in rows}
+    at = column if isinstance(column, int) else head.index(column)
+    return {row[head.index(key)].strip("`"): row[at] for row in rows}
 
 
 def alone():
@@ -43,8 +43,8 @@ def alone():
 
 
 def design(module, synthesised, budget):
-    """D1: its ports are told, and tools are silent; D2: it is whole, and its cells are measured in a
-    core; D3: its clock is held by a budget."""
+    """D1: its ports are told, and tools are silent; D2: it is whole, and its cells are measured in
+    a core; D3: its clock is held by a budget."""
     return "D3" if module in budget else "D2" if module in synthesised else "D1"
 
 

@@ -33,6 +33,7 @@ def hidden():
     """Figure 11: a small sphere whose centre is nearer to the screen than the large one's, which
     nearly swallows it. Three more are nearer still, so the large one is not in the same node."""
     return head(12, 40, "-10 14 16") + [
+        "shading blend",
         "f 0.95 0.52 0.15 0.8 0.2 40 0 1", "s 0 0 -2 3", "f 0.2 0.45 0.9 0.8 0.2 40 0 1",
         "s 1.1 0.5 -0.4 1.3"] + [f"s {x} {y} 0 0.3" for x, y in ((-5, 2), (-5, -2), (5, -2))]
 

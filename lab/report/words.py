@@ -39,7 +39,7 @@ def lines(run):
     if "expected" in build:
         expected = build["expected"]
         yield "Expected", (f"what is seen is at most {expected['pixels']:.2g} pixels off, "
-                           f"{expected['psnr']:.1f} dB against double precision")
+                           f"{expected['psnr']:.1f} dB against double precision, a mean")
     yield "Grid", (f"a step is {build['grid_step']:g} units of the scene, the smallest radius "
                    f"{build['smallest_radius']:.4g} steps")
     eye = ", ".join(map(str, machine["camera"]["eye"]))

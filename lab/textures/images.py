@@ -6,7 +6,7 @@ import zlib
 
 
 def write(folder, name, width, height, colour):
-    """8-bit RGB PNG; colour(x, y) is (r, g, b)."""
+    """8-bit RGB PNG of linear light (gAMA 1); colour(x, y) is (r, g, b)."""
     rows = b"".join(
         b"\0" + b"".join(bytes(colour(x, y)) for x in range(width)) for y in range(height))
 
@@ -17,6 +17,7 @@ def write(folder, name, width, height, colour):
     head = struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)
     with open(os.path.join(folder, name), "wb") as file:
         file.write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) +
+                   chunk(b"gAMA", struct.pack(">I", 100000)) +
                    chunk(b"IDAT", zlib.compress(rows, 9)) + chunk(b"IEND", b""))
 
 

@@ -13,7 +13,7 @@ class Scene:
         self.lines = [f"# {name}.nff - {text}", "# SPDX-License-Identifier: Apache-2.0",
                       "# Made by lab/textures/scenes.py; images by images.py beside it.", "v"]
         self.lines += view
-        self.lines += ["hither 0.1", "resolution 480 270"] + lights
+        self.lines += ["hither 0.1", "resolution 480 270"] + lights + ["shading blend"]
         self.name, self.look = name, None
 
     def material(self, colour, kd=1.0, ks=0.0, shine=10):

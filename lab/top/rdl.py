@@ -34,5 +34,6 @@ def main(path):
              for one, other in ((offsets, found), (masks, fields))
              for name, value in one.items() if other.get(name) != value]
     print("\n".join(wrong) if wrong else
-          f"rdl: {len(registers)} registers, {len(offsets)} of rt_top and the machine as in {HEADER}")
+          f"rdl: {len(registers)} registers, {len(offsets)} of rt_top and the machine "
+          f"as in {HEADER}")
     return bool(wrong)

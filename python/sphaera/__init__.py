@@ -16,7 +16,7 @@ room for OverflowError.
 
 Threads: other Python threads go on while the library reads, builds, draws or traces, and any
 number of them may use the same object."""
-from ._library import Error, version
+from ._library import Error, Record, version
 from .frame import Frame
 from .machine import Hit, Machine
 from .price import Price, Row
@@ -24,5 +24,5 @@ from .scene import Scene, parse, read
 
 NONE = Frame.NONE
 __version__ = version()
-__all__ = ["Error", "Frame", "Hit", "Machine", "NONE", "Price", "Row", "Scene", "parse",
+__all__ = ["Error", "Frame", "Hit", "Machine", "NONE", "Price", "Record", "Row", "Scene", "parse",
            "read", "version"]

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 import os
 from pathlib import Path
-from typing import Any, Union
+from typing import Any, NamedTuple, Union
 
 from ._declared import ffi
 
@@ -39,6 +39,25 @@ def made(function: Any, free: Any, kind: str, *arguments: Any) -> Any:
     to = ffi.new(kind + " **")
     call(function, *arguments, to)
     return ffi.gc(to[0], free)
+
+
+class Record(NamedTuple):
+    """What became of the records of one kind in a file."""
+
+    kind: str   # such as "sphere", or "triangle or polygon without area"
+    end: str    # "used", "used otherwise", "left out"
+    count: int
+    file: str   # of the first one
+    line: int   # of the first one, 0: none
+
+
+def records(function: Any, of: Any) -> list[Record]:
+    """The rows of a scene or machine, by the function that gives one of them."""
+    row = ffi.new("sphaera_record *")
+    found: list[Record] = []
+    while not function(of, len(found), row):
+        found.append(Record(text(row.kind), text(row.end), row.count, text(row.file), row.line))
+    return found
 
 
 def version() -> str:

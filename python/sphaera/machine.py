@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 from typing import Any, NamedTuple, Optional, Sequence, Tuple
 
-from ._library import PathLike, c_text, call, ffi, lib, made, text
+from ._library import PathLike, Record, c_text, call, ffi, lib, made, records, text
 from .frame import Frame
 
 
@@ -51,6 +51,17 @@ class Machine:
     def warning(self) -> str:
         """What build warned of, lines of text; empty if nothing, or if it was read from a file."""
         return text(lib.sphaera_machine_warning(self._pointer))
+
+    @property
+    def why(self) -> str:
+        """Why "auto" took its profile, and what was measured of the picture; empty if a profile was
+        asked for, or if it was read from a file."""
+        return text(lib.sphaera_machine_why(self._pointer))
+
+    @property
+    def records(self) -> list[Record]:
+        """What became of each record of the scene's file, and what the grid left out."""
+        return records(lib.sphaera_machine_record, self._pointer)
 
     def render(self, threads: int = 0) -> Frame:
         """Draws it, with so many threads, up to 1024; 0: one for every processor. Error: another

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 from typing import Any, Optional, Union
 
-from ._library import PathLike, c_text, ffi, lib, made
+from ._library import Error, PathLike, Record, c_text, ffi, lib, made, records
 from .machine import Machine
 from .price import Price, price_of
 
@@ -34,6 +34,11 @@ class Scene:
     def facets(self) -> int:
         """How many triangles and planes it has."""
         return lib.sphaera_scene_facets(self._pointer)
+
+    @property
+    def records(self) -> list[Record]:
+        """What became of each record of its file, counted by kind."""
+        return records(lib.sphaera_scene_record, self._pointer)
 
     def build(self, *, profile: str = "auto", accel: str = "auto", width: int = 0,
               height: int = 0, depth: int = 2, shadow: Switch = None, reflect: Switch = None,
@@ -77,13 +82,18 @@ class Scene:
         return f"<sphaera.Scene of {self.spheres} spheres, {self.facets} triangles and planes>"
 
 
-def read(path: PathLike, at: int = 0) -> Scene:
-    """Reads a scene file (NFF, AFF). at: frame that moving primitives are moved to, 0 to 65535.
+def read(path: PathLike, at: int = 0, strict: bool = False) -> Scene:
+    """Reads a scene file (NFF, AFF), a molecule (PDB, mmCIF, XYZ) or points (CSV). at: frame that
+    moving primitives are moved to, 0 to 65535. strict: what is not used as it stands is an Error.
     Where there is no file of this name, it may be a kind of `sphaera gen`, such as "random:256".
 
     Error: no such file, or what the file says is no scene, with file, line and field."""
-    return Scene(made(lib.sphaera_scene_read, lib.sphaera_scene_free, "sphaera_scene",
-                      c_text(path), at))
+    scene = Scene(made(lib.sphaera_scene_read, lib.sphaera_scene_free, "sphaera_scene",
+                       c_text(path), at))
+    for record in scene.records:
+        if strict and record.end != "used":
+            raise Error(f"{record.file}:{record.line}: {record.end}: {record.kind}")
+    return scene
 
 
 def parse(text: Union[str, bytes], name: PathLike = "memory.nff", at: int = 0) -> Scene:

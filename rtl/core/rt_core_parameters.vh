@@ -24,7 +24,6 @@
     parameter TEXTURE_WAYS = 4,  // 1..32, power of two: groups of a set of the texture cache
     parameter TEXTURE_GROUP = 1, // 1..4, power of two: lines of a group, fetched together
     parameter TEXTURE_COORDS = 2, // 1..8: units for texture coordinates an engine
-    parameter BANKS      = 0,    // 0..8: rays of a pipe divided at once for planes, 0: 2, BOXES 4
     parameter ROOTS      = 0,    // 0..8: square root units a leaf unit, 0: 6, for 1 pipe 3
     parameter QUOTIENTS  = 2,    // 1..8: dividers an engine
     parameter DIVISIONS  = 0,    // 0..8: units for keys of facets a leaf unit, 0: 1, with BOXES 3

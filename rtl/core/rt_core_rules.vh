@@ -8,7 +8,6 @@
                              : PIPES>2 && SHADE_UNITS>1 ? 2:1;
     localparam SETUP_UNITS = SETUPS != 0 ? SETUPS : PIPES == 4 && LEAF_COUNT > 1 ? 2
                              : 1;
-    localparam PLANE_BANKS = BANKS != 0 ? BANKS : BOXES != 0 ? 4 : 2;
     localparam LINES_COMING = MEM_PENDING != 0 ? MEM_PENDING : MEM_DATA;
     `RT_CHECK(W >= 8 && W <= 24, rt_core_W_must_be_8_to_24)
     `RT_CHECK(WD >= 9 && WD <= 31, rt_core_WD_must_be_9_to_31)
@@ -64,7 +63,6 @@
     `RT_CHECK(TEXTURE_WAYS >= 1 && TEXTURE_WAYS <= 32 && (TEXTURE_WAYS & (TEXTURE_WAYS - 1)) == 0, rt_core_TEXTURE_WAYS_must_be_a_power_of_two_from_1_to_32)
     `RT_CHECK(TEXTURE_GROUP >= 1 && TEXTURE_GROUP <= 4 && (TEXTURE_GROUP & (TEXTURE_GROUP - 1)) == 0, rt_core_TEXTURE_GROUP_must_be_a_power_of_two_from_1_to_4)
     `RT_CHECK(TEXTURE_COORDS >= 1 && TEXTURE_COORDS <= 8, rt_core_TEXTURE_COORDS_must_be_1_to_8)
-    `RT_CHECK(BANKS >= 0 && BANKS <= 8, rt_core_BANKS_must_be_0_to_8)
     `RT_CHECK(ROOTS >= 0 && ROOTS <= 8, rt_core_ROOTS_must_be_0_to_8)
     `RT_CHECK(QUOTIENTS >= 1 && QUOTIENTS <= 8, rt_core_QUOTIENTS_must_be_1_to_8)
     `RT_CHECK(DIVISIONS >= 0 && DIVISIONS <= 8, rt_core_DIVISIONS_must_be_0_to_8)

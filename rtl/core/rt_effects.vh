@@ -23,4 +23,4 @@
     parameter CLEAR      = 0,    // 0 or 1: shadow rays pass what is marked as clear
     parameter TURNED     = 0,    // 0 or 1: a grid in other axes than the camera's
     parameter SPREAD     = 0,    // 0 or 1: levels in mirrors and glass by how spheres spread rays
-    parameter CAMERA     = 1,    // 0 or 1: refuses every camera but the machine's own, since something is left out
+    parameter CAMERA     = 1,    // 0 or 1: any other camera is refused, since something is left out

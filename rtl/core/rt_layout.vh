@@ -48,6 +48,7 @@
 `define RT_ID_NONE 16777215
 `define RT_COLOUR_ONE 32768
 `define RT_RSQRT_ERROR 6
+`define RT_RECIPROCAL_ERROR 7
 `define RT_ACROSS_SHORT 4
 `define RT_MAX_SIDE 16383
 `define RT_MAX_CONES 16
@@ -81,10 +82,10 @@
 `define RT_BIH_T 22
 `define RT_BIH_V 18
 `define RT_BIH_G 18
-`define RT_BIH_DIVIDE 20
 `define RT_BIH_CHUNK 4
 `define RT_BIH_LEAF 3
 `define RT_BOX_CROSS 17
+`define RT_BOX_FINE 4
 `define RT_BOX_NEAR 11
 `define RT_FRAMES 3
 `define RT_SPHERE 0

@@ -178,7 +178,8 @@ module rt_registers #(
             always @* begin
                 sum = 32'd0;
                 for (r = 0; r < 13; r = r + 1)
-                    sum = {sum[31-`RT_CAMERA_TURN:0], sum[31:32-`RT_CAMERA_TURN]} ^ seen[32*r +: 32];
+                    sum = {sum[31-`RT_CAMERA_TURN:0], sum[31:32-`RT_CAMERA_TURN]} ^
+                          seen[32*r +: 32];
             end
             assign strayed_o = effects_o[`RT_EFFECT_CAMERA] && sum != own_q;
         end else begin : g_any_camera

@@ -20,7 +20,6 @@ module rt_engine #(
     parameter LUTS       = 0,    // LUT cells that a block RAM is worth, rt_slot_ram
     parameter STACK      = 16,   // sibling groups waiting per ray, power of two
     parameter ACCEL      = 0,    // 0: nodes of four spheres, 1: BIH, 2: nodes of four boxes
-    parameter BANKS      = 2,    // rays of a pipe that are divided at once, with ACCEL
     parameter NODE_LINES = 256,  // node cache of a pipe
     parameter LEAF_LINES = 128,  // leaf and primitive cache of a leaf unit
     parameter ROOTS      = 3,    // square root units
@@ -110,7 +109,7 @@ module rt_engine #(
     rt_pipes #(.W(W), .WD(WD), .FW(FW), .PIPES(PIPES), .LEAF_UNITS(LEAF_UNITS), .SHADES(SHADES),
               .SETUPS(SETUPS), .SLOTS(SLOTS), .STACK(STACK), .LINES(NODE_LINES), .LUTS(LUTS),
               .SQUARES(SQUARES), .SHADOW(SHADOWS), .FIRST(FIRST), .FARS(FARS), .FACETS(FACETS),
-              .ACCEL(ACCEL), .BANKS(BANKS)) u_pipes (
+              .ACCEL(ACCEL)) u_pipes (
         .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i), .ray_i(ray), .filter_i(filter),
         .across_i(across), .ray_again_i(ray_again), .shadow_go_i(shadow_go),
         .shadow_slot_i(shadow_slot), .visit_o(visit), .result_i(result), .done_slot_o(done_slot),

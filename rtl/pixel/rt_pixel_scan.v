@@ -7,7 +7,7 @@
 // Ends of rows and of the column are told a pixel ahead; what leaves does so from a register.
 // One pixel a cycle, with CONES less 3 cycles a column; WIN_X0 + WIN_Y0 + 4 cycles from start_i to
 // the first, and more with CONES or SPANS.
-// Model: sph_primary_dir() in cmodel/pixel/walk.h, sph_is_background() in
+// Model: sph_primary_dir() in cmodel/pixel/background.h, sph_is_background() in
 // cmodel/pixel/background.c
 `timescale 1ns / 1ps
 `default_nettype none

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // With REFRACT rt_rays decides which of a pixel's rays comes next. Without it a surface that
 // mirrors or is to be probed sends its mirror ray off, and any other is the last of its pixel.
-// Model: leave() in cmodel/engine/render_pixel.c
+// Model: leaving_rays() in cmodel/engine/render_pixel.c
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_bundles.vh"

@@ -4,7 +4,7 @@
 // goes first and the refracted ray waits with all that it needs, in one of DEEPEST places of its
 // slot, a place a depth. After a surface that no ray leaves, the deepest ray that waits goes on; if
 // none waits, the pixel is complete. Surfaces that refract go before others.
-// Model: path(), leave() in cmodel/engine/render_pixel.c
+// Model: path(), leaving_rays() in cmodel/engine/render_pixel.c
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"

@@ -4,7 +4,7 @@
 //             record     +--> unlit: no point is wanted -----+                        | sum
 //   next ray, to rt_setup <-- rt_leave <--- a blended surface --- rt_compose <--------+
 // A block that no effect asks for is not built; its tokens go straight on.
-// Model: path(), shade(), leave() in cmodel/engine/render_pixel.c
+// Model: path(), shade(), leaving_rays() in cmodel/engine/render_pixel.c
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"

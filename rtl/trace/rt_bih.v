@@ -19,8 +19,6 @@ module rt_bih #(
     parameter LINES = 256,  // node cache, lines
     parameter SHADOW = 1,   // 1: shadow rays
     parameter FACETS = 0,   // 1: a leaf record may have a whole line
-    parameter BANKS = 2,    // rays that are divided at once
-    parameter STEP  = 2,    // bits of a reciprocal a clock
     parameter TW    = `RT_BIH_T  // not to be set: bits of a bound
 ) (
     input  wire                       clk,
@@ -94,8 +92,7 @@ module rt_bih #(
     wire [1:0]       place_axis, pace_axis;
     wire [W+1:0]     place;
     wire [GW+6:0]    pace;
-    rt_bih_ray #(.W(W), .WD(WD), .SLOTS(SLOTS), .SHADOW(SHADOW), .BANKS(BANKS),
-                 .STEP(STEP)) u_rays (
+    rt_bih_ray #(.W(W), .WD(WD), .SLOTS(SLOTS), .SHADOW(SHADOW)) u_rays (
         .clk(clk), .rst(rst),
         .new_valid_i(ray_i[`RT_RAY_VALID]), .new_slot_i(ray_i[`RT_RAY_SLOT]),
         .new_org_i(ray_i[`RT_RAY_ORG]), .new_dir_i(ray_i[`RT_RAY_DIR]),

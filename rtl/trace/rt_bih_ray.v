@@ -1,12 +1,11 @@
 // rt_bih_ray.v - what a BIH wants to know of a ray: two words for each axis
 // SPDX-License-Identifier: Apache-2.0
-// A plane v grid units away across axis i is reached at key v * a / |dir_i|. The top bits of a are
-// found while origins and signs are written; then three dividers of a bank make g = a / |dir_i|,
-// times 2^shift, of all axes at once, their words are written and the ray starts.
-//   read 1 | shift a z/2, at least 3 | divide `RT_BIH_G/STEP + z'/2 + 2 | write 3
-// A ray leaves every 5 clocks or, if that is more, every 18/BANKS or so. Shadow rays go before
-// others.
-// Model: sph_bih_setup() in cmodel/trace/bih.c
+// A plane v grid units away across axis i is reached at key v * a / |dir_i|. An axis a clock: both
+// are shifted up until their top bit is set; a table has the reciprocal of the size, which times a
+// is g = a / |dir_i| times 2^shift, or up to 2 less.
+//   read | 1 size | 2..4 up | 5 line of the table | 6 slope | 7 reciprocal | 8, 9 product | 10 pace
+// A ray every 3 clocks; it starts 13 clocks after it was read. Shadow rays go before others.
+// Model: sph_bih_setup() in cmodel/trace/bih.c, sph_ratio() in cmodel/math/arith.c
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
@@ -14,9 +13,7 @@ module rt_bih_ray #(
     parameter W     = 16,  // coordinate, bits
     parameter WD    = 17,  // direction component, bits
     parameter SLOTS = 32,  // power of two
-    parameter SHADOW = 1,  // 1: shadow rays
-    parameter BANKS = 2,   // rays that are divided at once, three dividers each
-    parameter STEP  = 2    // quotient bits a clock
+    parameter SHADOW = 1   // 1: shadow rays
 ) (
     input  wire             clk,
     input  wire             rst,
@@ -48,12 +45,11 @@ module rt_bih_ray #(
     output wire             start_pixel_o
 );
     localparam SLOTW = $clog2(SLOTS);
-    localparam GW = `RT_BIH_G;
-    localparam DW = WD > `RT_BIH_DIVIDE ? WD : `RT_BIH_DIVIDE;  // bits of a that are divided
-    localparam NW = 2*WD > DW ? 2*WD : DW;                      // a, on its way up
+    localparam AW = 64;                      // a on its way up; a size has half as many bits
+    localparam DW = AW/2;
     localparam T  = W + WD + 2 > `RT_BIH_T ? W + WD + 2 - `RT_BIH_T : 0;  // bits that keys lose
     localparam V  = W + 2 > `RT_BIH_V ? W + 2 - `RT_BIH_V : 0;            // and distances
-    localparam signed [31:0] BIAS = DW - NW + T - V;
+    localparam signed [31:0] BIAS = 17 - WD + T - V;
 
     // ---- queues ----
     wire             q_new_valid, q_shadow_valid, new_in_ready, shadow_in_ready, load;
@@ -78,144 +74,132 @@ module rt_bih_ray #(
     endgenerate
     wire [SLOTW-1:0] q_slot  = q_shadow_valid ? q_shadow : q_new[SLOTW:1];
 
-    // ---- the ray at hand: read, a shifted up, places written ----
-    localparam [1:0] IDLE = 2'd0, READ = 2'd1, WORK = 2'd2;
-    reg [1:0]        state_q;
+    // ---- the ray at hand ----
+    reg              busy_q;                 // its axes are taken, one a clock
     reg [SLOTW-1:0]  slot_q;
     reg              pixel_q;
-    reg [NW-1:0]     a_q;                    // a, its top bit on its way up
-    reg signed [7:0] zeros_q;                // places it was shifted
-    reg [1:0]        place_q;                // axis to write, 3: all are written
+    reg [1:0]        axis_q;
     wire [3*W-1:0]   org;
     wire [3*WD-1:0]  dir;
     wire [2*WD-1:0]  a;
-    wire [2:0]       flat;
-    wire [3*WD-1:0]  mags;
-    wire [BANKS-1:0] full;
-    wire             none  = &flat;          // no direction: then a is 1, which has a top bit
-    wire             begun = state_q == WORK && place_q[1] && a_q[NW-1] && !(&full);
-    wire [BANKS-1:0] take  = ~full & (full + 1'b1) & {BANKS{begun}};  // the lowest that is free
-    assign load = (q_shadow_valid || q_new_valid) && (state_q == IDLE || begun);
+    assign load = (q_shadow_valid || q_new_valid) && (!busy_q || axis_q[1]);
     rt_slot_ram #(.WIDTH(3*W+5*WD), .SLOTS(SLOTS), .OLD(0)) u_ray (
         .clk(clk), .wr_en_i(new_valid_i), .wr_addr_i(new_slot_i),
         .wr_data_i({new_a_i, new_dir_i, new_org_i}),
         .rd_en_i(load), .rd_addr_i(q_slot), .rd_data_o({a, dir, org})
     );
-    wire [3*(W+2)-1:0] places;
-    genvar i, b;
-    generate
-        for (i = 0; i < 3; i = i + 1) begin : g_axis
-            wire [WD-1:0] d = dir[WD*i +: WD];
-            assign flat[i] = d == {WD{1'b0}};
-            assign mags[WD*i +: WD] = (d[WD-1] ? ~d + 1'b1 : d) | {{(WD-1){1'b0}}, flat[i]};
-            assign places[(W+2)*i +: W+2] = {org[W*i +: W], d[WD-1], flat[i]};
-        end
-    endgenerate
     always @(posedge clk) begin
-        if (load) state_q <= READ;
-        else if (state_q == READ) state_q <= WORK;
-        else if (begun) state_q <= IDLE;
         if (load) begin
+            busy_q  <= 1'b1;
             slot_q  <= q_slot;
             pixel_q <= !q_shadow_valid && q_new[0];
-        end
-        if (state_q == READ) begin
-            a_q     <= {{(NW-2*WD){1'b0}}, a[2*WD-1:1], a[0] || none};
-            zeros_q <= 8'sd0;
-            place_q <= 2'd0;
+            axis_q  <= 2'd0;
         end else begin
-            if (!a_q[NW-1]) begin
-                a_q     <= a_q[NW-2] ? a_q << 1 : a_q << 2;
-                zeros_q <= zeros_q + (a_q[NW-2] ? 8'sd1 : 8'sd2);
-            end
-            if (place_q != 2'd3) place_q <= place_q + 2'd1;
+            if (axis_q[1]) busy_q <= 1'b0;
+            axis_q <= axis_q + 2'd1;
         end
-        place_valid_o <= state_q == WORK && place_q != 2'd3;
+        if (rst) busy_q <= 1'b0;
+    end
+
+    // ---- stage 1: where it stands on an axis; size of the component, a ----
+    wire [WD-1:0]    d    = axis_q[1] ? dir[2*WD +: WD] : axis_q[0] ? dir[WD +: WD] : dir[0 +: WD];
+    wire [W-1:0]     o    = axis_q[1] ? org[2*W +: W] : axis_q[0] ? org[W +: W] : org[0 +: W];
+    wire             flat = d == {WD{1'b0}}; // then its size is 1
+    wire             none = dir == {(3*WD){1'b0}};  // no direction: a is 1
+    reg [WD-1:0]     s1_size_q;
+    reg [2*WD-1:0]   s1_a_q;
+    always @(posedge clk) begin
+        place_valid_o <= busy_q;
         place_slot_o  <= slot_q;
-        place_axis_o  <= place_q;
-        place_o       <= place_q[1] ? places[2*(W+2) +: W+2]
-                         : place_q[0] ? places[W+2 +: W+2] : places[0 +: W+2];
-        if (rst) begin
-            state_q       <= IDLE;
-            place_valid_o <= 1'b0;
-        end
+        place_axis_o  <= axis_q;
+        place_o       <= {o, d[WD-1], flat};
+        s1_size_q     <= (d[WD-1] ? ~d + 1'b1 : d) | {{(WD-1){1'b0}}, flat};
+        s1_a_q        <= {a[2*WD-1:1], a[0] || none};
+        if (rst) place_valid_o <= 1'b0;
     end
 
-    // ---- banks of dividers ----
-    localparam PW = GW + 8;                  // {g, exponent} of an axis
-    localparam BW = 3*PW + SLOTW + 9;        // {axes, slot, pixel, zeros} of a bank
-    wire [BANKS-1:0] ready, last;            // all three are divided; the last is being written
-    wire [BANKS*BW-1:0] banks;
-    wire [BANKS*3-1:0] give;                 // axes that are being written
-    generate
-        for (b = 0; b < BANKS; b = b + 1) begin : g_bank
-            reg              full_q, b_pixel_q;
-            reg [SLOTW-1:0]  b_slot_q;
-            reg signed [7:0] b_zeros_q;
-            wire [2:0]       done, idle;
-            wire [3*PW-1:0]  axes;
-            for (i = 0; i < 3; i = i + 1) begin : g_axis
-                rt_quotient #(.KW(DW), .AW(WD), .PQ(GW), .STEP(STEP)) u_quotient (
-                    .clk(clk), .rst(rst), .in_valid_i(take[b]), .in_ready_o(idle[i]),
-                    .in_key_i(a_q[NW-1 -: DW]),
-                    .in_a_i(mags[WD*i +: WD]),
-                    .out_valid_o(done[i]), .out_ready_i(give[3*b + i]),
-                    .out_mant_o(axes[PW*i + 8 +: GW]), .out_exp_o(axes[PW*i +: 8])
-                );
-            end
-            always @(posedge clk) begin
-                if (take[b]) begin
-                    full_q    <= 1'b1;
-                    b_slot_q  <= slot_q;
-                    b_pixel_q <= pixel_q;
-                    b_zeros_q <= zeros_q;
-                end else if (last[b]) begin
-                    full_q <= 1'b0;
-                end
-                if (rst) full_q <= 1'b0;
-            end
-            assign full[b]  = full_q;
-            assign ready[b] = &done;
-            assign banks[BW*b +: BW] = {axes, b_slot_q, b_pixel_q, b_zeros_q};
-            wire unused = &{1'b0, idle};
-        end
-    endgenerate
-
-    // ---- one axis a clock of the lowest bank that is ready ----
-    reg [1:0]        next_q;                 // axis to write
-    reg [BANKS-1:0]  bank_q;                 // one-hot: whose axes are being written
-    wire [BANKS-1:0] bank  = next_q == 2'd0 ? ready & (~ready + 1'b1) : bank_q;
-    wire             write = |bank;
-    reg [BW-1:0]     one;
-    integer          n;
-    always @* begin
-        one = {BW{1'b0}};
-        for (n = 0; n < BANKS; n = n + 1)
-            if (bank[n]) one = one | banks[BW*n +: BW];
+    // ---- stages 2 to 4: both up until their top bit is set ----
+    reg [AW-1:0]     s2_a_q, s3_a_q;
+    reg [20:0]       s4_a_q;
+    reg [DW-1:0]     s2_size_q, s3_size_q, s4_size_q;
+    reg [1:0]        s2_a_up_q;              // places, the first two bits, then more
+    reg [3:0]        s3_a_up_q;
+    reg [5:0]        s4_a_up_q;
+    reg              s2_size_up_q;
+    reg [2:0]        s3_size_up_q;
+    reg [4:0]        s4_size_up_q;
+    wire [AW-1:0]    s1_a = {s1_a_q, {(AW-2*WD){1'b0}}};
+    wire [DW-1:0]    s1_size = {s1_size_q, {(DW-WD){1'b0}}};
+    wire             a_32 = s1_a[AW-1 -: 32] == 32'd0, size_16 = s1_size[DW-1 -: 16] == 16'd0;
+    wire [AW-1:0]    s2_a = a_32 ? s1_a << 32 : s1_a;
+    wire             a_16 = s2_a[AW-1 -: 16] == 16'd0;
+    wire             a_8 = s2_a_q[AW-1 -: 8] == 8'd0, size_8 = s2_size_q[DW-1 -: 8] == 8'd0;
+    wire [AW-1:0]    s3_a = a_8 ? s2_a_q << 8 : s2_a_q;
+    wire [DW-1:0]    s3_size = size_8 ? s2_size_q << 8 : s2_size_q;
+    wire             a_4 = s3_a[AW-1 -: 4] == 4'd0, size_4 = s3_size[DW-1 -: 4] == 4'd0;
+    wire             a_2 = s3_a_q[AW-1 -: 2] == 2'd0, size_2 = s3_size_q[DW-1 -: 2] == 2'd0;
+    wire [AW-1:0]    s4_a = a_2 ? s3_a_q << 2 : s3_a_q;
+    wire [DW-1:0]    s4_size = size_2 ? s3_size_q << 2 : s3_size_q;
+    wire             a_1 = !s4_a[AW-1], size_1 = !s4_size[DW-1];
+    always @(posedge clk) begin
+        s2_a_q       <= a_16 ? s2_a << 16 : s2_a;
+        s2_a_up_q    <= {a_32, a_16};
+        s2_size_q    <= size_16 ? s1_size << 16 : s1_size;
+        s2_size_up_q <= size_16;
+        s3_a_q       <= a_4 ? s3_a << 4 : s3_a;
+        s3_a_up_q    <= {s2_a_up_q, a_8, a_4};
+        s3_size_q    <= size_4 ? s3_size << 4 : s3_size;
+        s3_size_up_q <= {s2_size_up_q, size_8, size_4};
+        s4_a_q       <= a_1 ? s4_a[AW-2 -: 21] : s4_a[AW-1 -: 21];
+        s4_a_up_q    <= {s3_a_up_q, a_2, a_1};
+        s4_size_q    <= size_1 ? s4_size << 1 : s4_size;
+        s4_size_up_q <= {s3_size_up_q, size_2, size_1};
     end
-    wire [2:0]       now = {next_q == 2'd2, next_q == 2'd1, next_q == 2'd0};
-    generate
-        for (b = 0; b < BANKS; b = b + 1) begin : g_give
-            assign give[3*b +: 3] = now & {3{bank[b]}};
-            assign last[b]        = bank[b] && now[2];
-        end
-    endgenerate
-    wire [PW-1:0]    part  = now[2] ? one[BW-1 -: PW] : now[1] ? one[BW-PW-1 -: PW]
-                             : one[BW-2*PW-1 -: PW];
-    wire signed [7:0] shift = $signed(part[7:0]) + $signed(one[7:0]) + BIAS[7:0];
+
+    // ---- stages 5 to 7: the reciprocal, a straight line in a 512th of the size ----
+    wire [33:0]      s5_line;                // {slope u12, start u0.22}
+    rt_reciprocal_rom u_rom (.clk(clk), .index_i(s4_size_q[DW-2 -: 9]), .line_q(s5_line));
+    reg [12:0]       s5_rest_q;              // rounded up
+    reg [24:0]       s6_less_q;
+    reg [21:0]       s6_start_q, s7_y_q;
+    wire [24:0]      s6_up = s6_less_q + 25'd2047;
+    wire [21:0]      s6_y  = s6_start_q - {8'd0, s6_up[24:11]};
+    always @(posedge clk) begin
+        s5_rest_q  <= {1'b0, s4_size_q[DW-11 -: 12]} + {12'd0, |s4_size_q[DW-23:0]};
+        s6_less_q  <= s5_line[33:22] * s5_rest_q;
+        s6_start_q <= s5_line[21:0];
+        s7_y_q     <= s6_y[21] ? s6_y : {1'b1, 21'd0};
+    end
+
+    // ---- stages 8 to 10: the product ----
+    wire [20:0]      s7_a;
+    rt_delay #(.WIDTH(21), .CYCLES(3)) u_a (.clk(clk), .in_i(s4_a_q), .out_o(s7_a));
+    reg [38:0]       s8_high_q;              // of the upper 18 bits of the reciprocal
+    reg [24:0]       s8_low_q;               // of the others
+    reg [17:0]       s9_g_q;
+    wire [42:0]      s8_product = {s8_high_q, 4'd0} + {18'd0, s8_low_q};
+    reg signed [7:0] s5_shift_q;
+    wire signed [7:0] s9_shift;
+    rt_delay #(.WIDTH(8), .CYCLES(4)) u_shift (.clk(clk), .in_i(s5_shift_q), .out_o(s9_shift));
+    wire             s9_valid, s9_pixel;
+    wire [SLOTW-1:0] s9_slot;
+    wire [1:0]       s9_axis;
+    rt_delay_valid #(.CYCLES(9)) u_valid (.clk(clk), .rst(rst), .in_i(busy_q), .out_o(s9_valid));
+    rt_delay #(.WIDTH(SLOTW+3), .CYCLES(9)) u_tag (
+        .clk(clk), .in_i({slot_q, pixel_q, axis_q}), .out_o({s9_slot, s9_pixel, s9_axis})
+    );
     reg              pace_pixel_q;
     always @(posedge clk) begin
-        bank_q <= bank;
-        if (write) next_q <= now[2] ? 2'd0 : next_q + 2'd1;
-        pace_valid_o <= write;
-        pace_slot_o  <= one[9 +: SLOTW];
-        pace_pixel_q <= one[8];
-        pace_axis_o  <= next_q;
-        pace_o       <= {shift[7], shift[7] ? 6'd0 : shift[5:0], part[PW-1:8]};  // below 0: open
-        if (rst) begin
-            next_q       <= 2'd0;
-            pace_valid_o <= 1'b0;
-        end
+        s5_shift_q   <= BIAS[7:0] + {2'd0, s4_a_up_q} - {3'd0, s4_size_up_q};
+        s8_high_q    <= s7_a * s7_y_q[21:4];
+        s8_low_q     <= s7_a * s7_y_q[3:0];
+        s9_g_q       <= s8_product[42:25];
+        pace_valid_o <= s9_valid;
+        pace_slot_o  <= s9_slot;
+        pace_pixel_q <= s9_pixel;
+        pace_axis_o  <= s9_axis;
+        pace_o       <= {s9_shift[7], s9_shift[7] ? 6'd0 : s9_shift[5:0], s9_g_q};  // below 0: open
+        if (rst) pace_valid_o <= 1'b0;
     end
 
     // ---- token ----
@@ -229,7 +213,8 @@ module rt_bih_ray #(
     );
     // for benches: {turned away, taken, clocks of work}
     wire [7:0] work_rays_set_up_for_planes /* verilator public_flat_rd */ =
-        {(q_shadow_valid || q_new_valid) && !load, load, 5'd0, state_q != IDLE};
-    wire unused = &{1'b0, shift[6], new_in_ready, shadow_in_ready, start_in_ready};
+        {(q_shadow_valid || q_new_valid) && !load, load, 5'd0, busy_q};
+    wire unused = &{1'b0, s9_shift[6], s4_size_q[DW-1], s6_up[10:0], s8_product[24:0], new_in_ready,
+                    shadow_in_ready, start_in_ready};
 endmodule
 `default_nettype wire

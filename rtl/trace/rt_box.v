@@ -19,6 +19,7 @@ module rt_box #(
     // a clock later
     input  wire [3*SW-1:0]            late_enter_i, // {z, y, x} where the frame begins, of near
     input  wire [3*SW-1:0]            late_leave_i, // of far
+    input  wire [2:0]                 late_fine_i,  // a step is 2^`RT_BOX_FINE T-words
     input  wire [2:0]                 late_flat_i,  // ahead of the ray: it is never reached
     input  wire [2:0]                 late_open_i,  // ahead of the ray: it is no bound
     input  wire [14:0]                in_limit_i,   // depth of the ray, 5 clocks later
@@ -35,13 +36,15 @@ module rt_box #(
         for (k = 0; k < 3; k = k + 1) begin : g_axis
             reg [XW+6:0]        s1_near_q;
             reg [XW+7:0]        s1_far_q;
+            wire [XW+6:0]       s1_near = late_fine_i[k] ? s1_near_q >> `RT_BOX_FINE : s1_near_q;
+            wire [XW+7:0]       s1_far = late_fine_i[k] ? s1_far_q >> `RT_BOX_FINE : s1_far_q;
             reg signed [SW-1:0] s2_enter_q, s2_leave_q;
             reg                 s2_flat_q, s2_open_q;
             always @(posedge clk) begin
                 s1_near_q  <= in_near_i[7*k +: 7] * in_step_i[XW*k +: XW];
                 s1_far_q   <= in_far_i[7*k +: 7] * in_more_i[(XW+1)*k +: XW+1];
-                s2_enter_q <= late_enter_i[SW*k +: SW] + {{(SW-XW-7){1'b0}}, s1_near_q};
-                s2_leave_q <= late_leave_i[SW*k +: SW] + {{(SW-XW-8){1'b0}}, s1_far_q};
+                s2_enter_q <= late_enter_i[SW*k +: SW] + {{(SW-XW-7){1'b0}}, s1_near};
+                s2_leave_q <= late_leave_i[SW*k +: SW] + {{(SW-XW-8){1'b0}}, s1_far};
                 s2_flat_q  <= late_flat_i[k];
                 s2_open_q  <= late_open_i[k];
             end

@@ -1,9 +1,9 @@
 // rt_box_axis.v - one axis of a node's frame along a ray: where it begins, and what a step takes
 // SPDX-License-Identifier: Apache-2.0
-// Plane n of a child is passed at the T-word enter + n*step or later, at leave + n*(step+2) or
-// earlier. n counts from where the ray comes from; that of an end leaves one out, which leave has.
-//   at = v * g >> shift, limited     enter = at + min(at >> 15, 0)     step = g >> (shift - s)
-//                                    leave = at + max(at >> 15, 0) + step + 4
+// Plane n of a child is passed at the T-word enter + (n*step >> fine) or later, plane n+1 at
+// leave + (n*(step+2) >> fine) or earlier; n counts from where the ray comes from.
+//   at = v * g >> shift, limited     enter = at + min(at >> 15, 0)     step = g >> (shift-s-fine)
+//   fine = 4 if that fits, else 0    leave = at + max(at >> 15, 0) + (step >> fine) + 5
 //   1 origin | 2 distance v, shifts | 3 product, step by bytes | 4 its sign, step by bits
 //   5 at by bytes | 6 by bits | 7 limits | 8 enter, leave; the step comes a clock before them
 // Nothing waits here: a node a clock, latency 8.
@@ -21,7 +21,8 @@ module rt_box_axis #(
     input  wire [W+1:0]         in_place_i,    // of the ray {org sW, back, flat}
     input  wire [`RT_BIH_G+6:0] in_pace_i,     // {open, shift u6, g}
     output reg  signed [SW-1:0] out_enter_o,   // of a ray that is flat 1 less
-    output reg  signed [SW-1:0] out_leave_o,   // with the step that ends the last cell
+    output reg  signed [SW-1:0] out_leave_o,
+    output wire                 out_fine_o,    // fine is not 0
     output wire                 out_flat_o,    // the ray does not move along the axis
     output wire                 out_open_o,    // planes that are not behind it are no bound
     output reg  [`RT_BOX_CROSS-1:0] step_o,    // 7 clocks behind the node
@@ -34,6 +35,7 @@ module rt_box_axis #(
     localparam UP = W > 14 ? W - 14 : 0;
     localparam MOST = (1 << `RT_FRAME_STEP_X_BITS) - 1 + `RT_BOX_LO_X_BITS;
     localparam STEPS = W > MOST ? W - MOST : 0;      // added to every step
+    localparam [6:0] FINE = `RT_BOX_FINE;
     localparam PW = CW + GW;                         // product
     localparam KW = SW - 1 + 7;                      // kept behind the shift by bytes
     localparam XW = PW > KW ? PW + 1 : KW + 1;       // the product on its way through bytes
@@ -64,11 +66,15 @@ module rt_box_axis #(
     reg [CW-1:0]       s2_v_q;
     reg [GW-1:0]       s2_g_q;
     reg [6:0]          s2_shift_q, s2_less_q;        // of the product; of a step
+    reg                s2_fine_q;
+    wire [6:0]         s1_less = s1_shift_q - s1_step_q;
+    wire               s1_fine = !s1_steep_q && s1_less > FINE;
     always @(posedge clk) begin
         s2_v_q     <= (s1_back ? s1_ray : s1_org_q) - (s1_back ? s1_org_q : s1_ray);
         s2_g_q     <= s1_g_q;
         s2_shift_q <= s1_steep_q ? s1_step_q + 7'd1 : s1_shift_q;
-        s2_less_q  <= s1_steep_q ? 7'd1 : s1_shift_q - s1_step_q;
+        s2_less_q  <= s1_steep_q ? 7'd1 : s1_fine ? s1_less - FINE : s1_less;
+        s2_fine_q  <= s1_fine;
     end
     rt_delay #(.WIDTH(1), .CYCLES(5)) u_back (.clk(clk), .in_i(s1_back), .out_o(back_o));
     rt_delay #(.WIDTH(2), .CYCLES(7)) u_side (
@@ -123,7 +129,12 @@ module rt_box_axis #(
     // ---- stage 8: rounded outwards ----
     wire               s7_behind = s7_at_q[SW-1];
     wire signed [SW-1:0] s7_more = s7_at_q >>> (GW - 3);
-    wire               s7_flat;
+    wire               s6_fine, s7_flat;
+    reg [`RT_BOX_CROSS-1:0] s7_whole_q;              // of a step
+    rt_delay #(.WIDTH(1), .CYCLES(4)) u_fine (.clk(clk), .in_i(s2_fine_q), .out_o(s6_fine));
+    rt_delay #(.WIDTH(1), .CYCLES(2)) u_fine_out (
+        .clk(clk), .in_i(s6_fine), .out_o(out_fine_o)
+    );
     rt_delay #(.WIDTH(1), .CYCLES(6)) u_flat (
         .clk(clk), .in_i(s1_place_q[0]), .out_o(s7_flat)
     );
@@ -133,10 +144,11 @@ module rt_box_axis #(
     );
     always @(posedge clk) begin
         step_o <= s6_step;
+        s7_whole_q <= s6_fine ? s6_step >> FINE : s6_step;
         more_o <= {1'b0, s6_step} + {{(`RT_BOX_CROSS-1){1'b0}}, 2'd2};
         out_enter_o <= s7_at_q + (s7_behind ? s7_more : {SW{1'b0}}) - {{(SW-1){1'b0}}, s7_flat};
         out_leave_o <= s7_at_q + (s7_behind ? {SW{1'b0}} : s7_more) +
-                       {{(SW-`RT_BOX_CROSS){1'b0}}, step_o} + {{(SW-3){1'b0}}, 3'd4};
+                       {{(SW-`RT_BOX_CROSS){1'b0}}, s7_whole_q} + {{(SW-3){1'b0}}, 3'd5};
     end
     wire unused = &{1'b0, org_wide, reach, s4_shift_q[6], s3_step, s4_bytes};
 endmodule

@@ -14,9 +14,7 @@ module rt_boxes #(
     parameter W     = 16,   // coordinate, bits
     parameter WD    = 17,   // direction component, bits
     parameter SLOTS = 32,   // power of two
-    parameter SHADOW = 1,   // 1: shadow rays
-    parameter BANKS = 4,    // rays that are divided at once
-    parameter STEP  = 2     // bits of a reciprocal a clock
+    parameter SHADOW = 1    // 1: shadow rays
 ) (
     input  wire                     clk,
     input  wire                     rst,
@@ -56,8 +54,7 @@ module rt_boxes #(
     wire [1:0]       place_axis, pace_axis;
     wire [CW-1:0]    place;
     wire [PW-1:0]    pace;
-    rt_bih_ray #(.W(W), .WD(WD), .SLOTS(SLOTS), .SHADOW(SHADOW), .BANKS(BANKS),
-                 .STEP(STEP)) u_rays (
+    rt_bih_ray #(.W(W), .WD(WD), .SLOTS(SLOTS), .SHADOW(SHADOW)) u_rays (
         .clk(clk), .rst(rst),
         .new_valid_i(ray_i[`RT_RAY_VALID]), .new_slot_i(ray_i[`RT_RAY_SLOT]),
         .new_org_i(ray_i[`RT_RAY_ORG]), .new_dir_i(ray_i[`RT_RAY_DIR]),
@@ -109,7 +106,7 @@ module rt_boxes #(
 
     // ---- the frame along the ray ----
     wire [3*SW-1:0]  enter, leave;
-    wire [2:0]       back, flat, open;
+    wire [2:0]       back, fine, flat, open;
     wire [3*XW-1:0]  step;
     wire [3*XW+2:0]  more;
     generate
@@ -120,7 +117,7 @@ module rt_boxes #(
                 .in_step_i(node_i[`RT_FRAME_STEP_X_LSB + 4*k +: 4]),
                 .in_place_i(t1_places[CW*k +: CW]), .in_pace_i(t1_paces[PW*k +: PW]),
                 .out_enter_o(enter[SW*k +: SW]), .out_leave_o(leave[SW*k +: SW]),
-                .out_flat_o(flat[k]), .out_open_o(open[k]),
+                .out_fine_o(fine[k]), .out_flat_o(flat[k]), .out_open_o(open[k]),
                 .step_o(step[XW*k +: XW]), .more_o(more[(XW+1)*k +: XW+1]), .back_o(back[k])
             );
         end
@@ -147,7 +144,7 @@ module rt_boxes #(
             rt_box u_box (
                 .clk(clk), .in_near_i(t8_near_q), .in_far_i(t8_far_q),
                 .in_step_i(step), .in_more_i(more), .late_enter_i(enter), .late_leave_i(leave),
-                .late_flat_i(flat), .late_open_i(open), .in_limit_i(limit),
+                .late_fine_i(fine), .late_flat_i(flat), .late_open_i(open), .in_limit_i(limit),
                 .out_pass_o(pass_o[c]), .out_near_o(near_o[16*c +: 15])
             );
             assign near_o[16*c + 15] = 1'b0;

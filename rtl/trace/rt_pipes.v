@@ -27,8 +27,7 @@ module rt_pipes #(
     parameter FACETS = 0,   // 1: a leaf child may have a whole line
     parameter SQUARES = 0,  // 1: squares of the node filter in LUTs
     parameter LUTS  = 0,    // LUT cells that a block RAM is worth, rt_slot_ram
-    parameter ACCEL = 0,    // 0: nodes of four spheres, 1: BIH, 2: nodes of four boxes
-    parameter BANKS = 2     // rays that are divided at once, with ACCEL
+    parameter ACCEL = 0     // 0: nodes of four spheres, 1: BIH, 2: nodes of four boxes
 ) (
     input  wire                       clk,
     input  wire                       rst,
@@ -122,7 +121,7 @@ module rt_pipes #(
             localparam U = p >> (PB - $clog2(SETUPS));   // its set-up unit
             rt_trace #(.W(W), .WD(WD), .FW(FW), .SLOTS(SLOTS >> PB), .STACK(STACK), .LINES(LINES),
                        .SHADOW(SHADOW), .FIRST(FIRST), .FARS(FARS), .FACETS(FACETS),
-                       .SQUARES(SQUARES), .LUTS(LUTS), .ACCEL(ACCEL), .BANKS(BANKS),
+                       .SQUARES(SQUARES), .LUTS(LUTS), .ACCEL(ACCEL),
                        .WAITS(PIPES > 1 ? 1 : 0)) u_trace (
                 .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i),
                 .ray_i(ray[YB*p +: YB]), .filter_i(filter_i[FB*U +: FB]),

@@ -24,7 +24,6 @@ module rt_trace #(
     parameter SQUARES = 0,  // 1: squares of the node filter in LUTs
     parameter LUTS  = 0,    // LUT cells that a block RAM is worth, rt_slot_ram
     parameter ACCEL = 0,    // 0: nodes of four spheres, 1: BIH, 2: nodes of four boxes
-    parameter BANKS = 2,    // rays that are divided at once, with ACCEL
     parameter WAITS = 0     // 1: rays that are done wait for done_ready_i
 ) (
     input  wire                       clk,
@@ -113,7 +112,7 @@ module rt_trace #(
             assign count = {2'b0, leaf[0]} + {2'b0, leaf[1]} + {2'b0, leaf[2]} + {2'b0, leaf[3]};
             rt_traverse #(.W(W), .WD(WD), .FW(FW), .SLOTS(SLOTS), .LINES(LINES), .SHADOW(SHADOW),
                           .FIRST(FIRST), .FACETS(FACETS), .SQUARES(SQUARES), .LUTS(LUTS),
-                          .BOXES(ACCEL == 2 ? 1 : 0), .BANKS(BANKS)) u_traverse (
+                          .BOXES(ACCEL == 2 ? 1 : 0)) u_traverse (
                 .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i),
                 .ray_i(ray_i), .filter_i(filter_i), .across_i(across_i),
                 .first_i(first), .pixel_i(pixel),
@@ -174,7 +173,7 @@ module rt_trace #(
         end else begin : g_bih
             assign {read_valid, read_slot} = {(SLOTW+1){1'b0}};
             rt_bih #(.W(W), .WD(WD), .SLOTS(SLOTS), .LINES(LINES), .SHADOW(SHADOW),
-                     .FACETS(FACETS), .BANKS(BANKS)) u_bih (
+                     .FACETS(FACETS)) u_bih (
                 .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i),
                 .ray_i(ray_i), .pixel_i(pixel), .ray_limit_o(limit),
                 .shadow_go_i(shadow_go_i), .shadow_slot_i(shadow_slot_i),

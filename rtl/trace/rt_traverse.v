@@ -23,7 +23,6 @@ module rt_traverse #(
     parameter FACETS = 0,   // 1: a leaf child may have a whole line
     parameter SQUARES = 0,  // 1: squares of the node filter in LUTs
     parameter LUTS  = 0,    // LUT cells that a block RAM is worth, rt_slot_ram
-    parameter BANKS = 2,    // rays that are divided at once, with BOXES
     parameter BOXES = 0,    // 1: children are in boxes, not in spheres
     parameter LW    = BOXES != 0 ? 14 : FW   // not to be set: depth, bits - 1
 ) (
@@ -109,7 +108,7 @@ module rt_traverse #(
     genvar c;
     generate
         if (BOXES != 0) begin : g_boxes
-            rt_boxes #(.W(W), .WD(WD), .SLOTS(SLOTS), .SHADOW(SHADOW), .BANKS(BANKS)) u_boxes (
+            rt_boxes #(.W(W), .WD(WD), .SLOTS(SLOTS), .SHADOW(SHADOW)) u_boxes (
                 .clk(clk), .rst(rst), .ray_i(ray_i), .pixel_i(pixel_i),
                 .shadow_go_i(shadow_go_i), .shadow_slot_i(shadow_slot_i),
                 .start_valid_o(start_valid), .start_ready_i(room && !q_next_valid),

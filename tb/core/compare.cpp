@@ -10,7 +10,7 @@
 #include "report.h"
 
 extern "C" {
-#include "pixel/walk.h"
+#include "pixel/background.h"
 }
 
 namespace {

@@ -23,7 +23,7 @@
 
 extern "C" {
 #include "builder/build.h"
-#include "pixel/walk.h"
+#include "pixel/background.h"
 #include "trace/leaf_unit.h"
 #include "trace/traverse.h"
 #include "trace/setup.h"

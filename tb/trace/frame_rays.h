@@ -8,6 +8,7 @@
 #define FRAME_RAYS_H
 
 #include <algorithm>
+#include <cstdlib>
 #include "bench.h"
 extern "C" {
 #include "machine/layout.h"
@@ -40,12 +41,16 @@ inline Vector make(bench::Random &random, const sph_profile &p) {
         v.ray.a += (uint64_t)(v.ray.dir[i] * v.ray.dir[i]);
     }
     int64_t way = (int64_t)random.log_bits(p.w + 4); /* in 2^-8 of the direction */
+    const int64_t end = (int64_t)1 << (p.w - 1);
+    for (int i = 0; i < 3; i++) /* to where it is on the grid, mostly */
+        while (random.percent(95) && std::abs(v.ray.org[i] + (v.ray.dir[i] * way >> 8)) > end)
+            way >>= 1;
     int size = (int)random.below(16);
     for (int i = 0; i < 3; i++) {
         int step = random.percent(80) ? size : (int)random.below(16);
         int64_t at = v.ray.org[i] + (v.ray.dir[i] * way >> 8);
         v.code[i] = random.below(SPH_BOX_CODES);
-        at -= (int64_t)v.code[i] << step;
+        at -= (int64_t)v.code[i] << (step + sph_frame_step_shift(&p));
         at = std::clamp(at >> sph_frame_org_shift(&p), -ORG_MAX - 1, ORG_MAX);
         if (random.percent(5)) at = random.smixed(ORG_BITS);
         v.org[i] = (int32_t)at;

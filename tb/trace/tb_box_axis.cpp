@@ -41,8 +41,8 @@ int main(int argc, char **argv) {
         const sph_box_axis &a = w.axes[0];
         sent.pop_front();
         b.expect("out_enter_o", b.get(b.dut.out_enter_o), bench::low((bench::u128)a.enter, SW), SW);
-        b.expect("out_leave_o", b.get(b.dut.out_leave_o),
-                 bench::low((bench::u128)(a.leave + a.step + 2), SW), SW);
+        b.expect("out_leave_o", b.get(b.dut.out_leave_o), bench::low((bench::u128)a.leave, SW), SW);
+        b.expect("out_fine_o", b.dut.out_fine_o, a.fine != 0, 1);
         b.expect("out_flat_o", b.dut.out_flat_o, a.flat, 1);
         b.expect("out_open_o", b.dut.out_open_o, a.open, 1);
         open += a.open;

@@ -182,10 +182,7 @@ static void test_refusals(void **unused) {
     struct sph_scene s = cloud(20, 0.1);
     s.spheres[5].rad = 1e-4;
     refuse(&s, SPH_DRAFT, "cloud.nff:15: radius 0.0001", "profile standard would do");
-    s.spheres[5].rad = 1e-9;
-    refuse(&s, SPH_STANDARD, "cloud.nff:15: radius 1e-09", "no finer profile");
     s.spheres[5] = s.spheres[3], s.spheres[5].line = 15;
-    refuse(&s, SPH_FINE, "cloud.nff:15: the same sphere as in line 13", "");
     s.spheres[5].ctr.x += 1e-6;
     refuse(&s, SPH_DRAFT, "cloud.nff:15:", "merges this sphere with that of line 13: profile ");
     s.spheres[5].rad = -1;
@@ -204,6 +201,32 @@ static void test_refusals(void **unused) {
     refuse(&s, SPH_DRAFT, "cloud.nff", "up is parallel");
     s.camera.at = s.camera.from;
     refuse(&s, SPH_DRAFT, "cloud.nff", "same point");
+    free(s.spheres);
+}
+
+/* Spheres that no grid holds or tells apart are left out, and all others keep their numbers. */
+static void test_lost(void **unused) {
+    (void)unused;
+    struct sph_scene s = cloud(20, 0.1);
+    struct sph_build_options o = standard;
+    struct sph_build_report report;
+    struct sph_error err = {{0}};
+    struct sph_machine m;
+    uint32_t numbers[20];
+    s.spheres[5].rad = 1e-9;
+    s.spheres[9] = s.spheres[3], s.spheres[9].line = 19;
+    o.numbers = numbers;
+    assert_int_equal(sph_build(&s, &o, &m, &report, &err), 0);
+    assert_int_equal(m.regs[SPH_REG_N_PRIMS], 18);
+    for (uint32_t id = 0; id < 18; id++)
+        assert_int_equal(numbers[id], id + (id >= 5) + (id >= 8));
+    assert_int_equal(report.ledger.row[SPH_READ_SPHERE_SMALL].n, 1);
+    assert_int_equal(report.ledger.row[SPH_READ_SPHERE_SMALL].line, 15);
+    assert_int_equal(report.ledger.row[SPH_READ_SPHERE_GRID].line, 19);
+    sph_machine_free(&m);
+    s.ledger.strict = 1;
+    assert_int_equal(sph_build(&s, &o, &m, &report, &err), -1);
+    assert_non_null(strstr(err.text, "cloud.nff:15: left out: sphere too small"));
     free(s.spheres);
 }
 
@@ -238,7 +261,7 @@ static void test_effects(void **unused) {
     assert_int_equal(m.regs[SPH_REG_EFFECTS], 3);
     assert_int_equal(m.regs[SPH_REG_MAX_DEPTH], 2);
     assert_int_equal(m.regs[SPH_REG_LIGHT0_B], 65535); /* 2.5 is too bright */
-    assert_non_null(strstr(report.warning, "clamped"));
+    assert_true(report.ledger.row[SPH_READ_LIGHT_LIMITED].n > 0);
     assert_non_null(strstr(report.effects[SPH_REPORT_REFLECT].why, "cloud.nff:7 mirrors 128/256"));
     assert_string_equal(
         report.effects[SPH_REPORT_SHADOW].why,
@@ -289,7 +312,8 @@ int main(int argc, char **argv) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_containment), cmocka_unit_test(test_depth),
         cmocka_unit_test(test_grid),        cmocka_unit_test(test_refusals),
-        cmocka_unit_test(test_effects),     cmocka_unit_test(test_radius),
+        cmocka_unit_test(test_lost),        cmocka_unit_test(test_effects),
+        cmocka_unit_test(test_radius),
     };
     seed(argc, argv);
     if (argc > 2 && !strcmp(argv[2], "timing")) time_large();

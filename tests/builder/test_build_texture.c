@@ -55,7 +55,7 @@ static void images(void **state) {
     for (uint32_t i = 0; i < 3; i++)
         ball[i] = (struct sph_sphere){{20.0 * i, 0, -50}, 9, 0, i + 9, i + 1, 0};
     mip[2] = mip[0];
-    mip[3] = (struct sph_mip){4096, 4096, 13, NULL}; /* never looked at */
+    mip[3] = (struct sph_mip){4096, 4096, 13, 0, NULL}; /* never looked at */
     scene.n_textures = 4;
     scene.n_spheres = 3;
     scene.textures = texture;

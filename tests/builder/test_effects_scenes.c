@@ -341,9 +341,8 @@ static void test_lights(void **unused) {
     s.spheres[0].ctr = (struct sph_vec){0.5, 0.5, 0.5};
     s.spheres[1].ctr = (struct sph_vec){0.1, 0.9, 0.1};
     s.lights[0].pos = s.spheres[0].ctr;
-    force(&s, o, SPH_REPORT_LIGHTS, 1, "cloud.nff:3 is shut in by the sphere cloud.nff:10",
-          "clamped");
-    force(&s, WITH(shadow, SPH_OFF), SPH_REPORT_LIGHTS, 2, "2 of the scene's 2", "clamped");
+    force(&s, o, SPH_REPORT_LIGHTS, 1, "cloud.nff:3 is shut in by the sphere cloud.nff:10", "");
+    force(&s, WITH(shadow, SPH_OFF), SPH_REPORT_LIGHTS, 2, "2 of the scene's 2", "shadow off");
     force(&s, WITH(lights, 1), SPH_REPORT_LIGHTS, 1, "left out: cloud.nff:4", "lights fewer");
     for (int i = 0; i < 3; i++) { /* one colour is enough */
         for (int k = 0; k < 3; k++)

@@ -16,7 +16,7 @@
 
 #include "builder/grid/facets.h"
 #include "builder/grid/near.h"
-#include "builder/prim/facet.h"
+#include "builder/prim/build.h"
 
 typedef long double real;
 

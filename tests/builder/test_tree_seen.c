@@ -222,7 +222,9 @@ static struct hundred hundred(void) {
     h.balls = malloc(h.n * sizeof *h.balls);
     h.boxes = malloc(h.n * sizeof *h.boxes);
     assert_int_equal(sph_grid_fit(&scene, h.profile->w, SPH_AXES_CAMERA, &grid, &err), 0);
-    assert_int_equal(sph_grid_spheres(&grid, &scene, h.profile, h.balls, &smallest, &err), 0);
+    uint8_t lost[101] = {0};
+    assert_in_range(h.n, 1, sizeof lost);
+    assert_int_equal(sph_grid_spheres(&grid, &scene, h.profile, h.balls, lost, &smallest, &err), 0);
     struct sph_plants plants = {
         .balls = h.balls, .n_spheres = h.n, .facets = &none, .profile = h.profile};
     for (uint32_t i = 0; i < h.n; i++)

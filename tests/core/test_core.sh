@@ -164,7 +164,8 @@ broken "visits of probes run out" 4 --reg 29=3 --reg 0=31
 broken "records of probes beyond memory" 1 --reg 26=0x3000000 --reg 0=31
 broken "wrong profile" 32 --reg 30=1
 # LEFT_OUT: a scene, and by how many scene units its eye moves to see what is left out: a light, a
-# shadow, what shadow rays pass, rays inside, a mirror, images and glass, depths, a ball, a triangle.
+# shadow, what shadow rays pass, rays inside, a mirror, images and glass, depths, a ball, a
+# triangle.
 mkdir -p "$machines/met"
 while read -r scene x y z; do
     moved=$machines/met/$scene.sph

@@ -15,7 +15,7 @@ rt_facet_key    rt_facet
 rt_isqrt        rt_root_pool, rt_refract
 rt_longitude    rt_sphere_uv
 rt_pool         whose units it hands out: rt_root_pool, rt_quotient_pool, rt_sphere_uv
-rt_quotient     rt_quotient_pool, rt_bih_ray
+rt_quotient     rt_quotient_pool
 rt_setup        rt_unit, rt_unit_four, rt_across
 rt_shares       rt_share
 rt_sphere       rt_leaf, rt_root_pool
@@ -99,19 +99,18 @@ for frame in plane none late few; do
          u['pixels delivered']['taken'] == run['pixels'] - count['background']"
 done
 # 27 clocks are between two keys, of which the unit works 19 to 20: half of the pixels see no plane.
-check "keys bind where the plane is seen, the set-up of rays elsewhere, and no unit alone" \
+check "keys bind where the plane is seen, next nodes elsewhere, and no unit alone" \
     says plane "not p['limit']['binds'] and p['limit']['unit'] == 'keys of facets' and
         0.6 < u['keys of facets']['binds']/cycles < 0.8 and
-        0.2 < u['rays set up for planes']['binds']/cycles < 0.4 and
+        0.15 < u['next nodes']['binds']/cycles < 0.35 and
         19 <= u['keys of facets']['clocks']/count['divisions'] < 21"
-check "without the plane the set-up of rays for planes binds" says none \
-    "p['limit']['binds'] and p['limit']['unit'] == 'rays set up for planes' and
-     p['limit']['busy'] > 0.95 and
-     8 <= u['rays set up for planes']['clocks']/count['rays_primary'] < 9.5"
+check "without the plane next nodes bind; a ray is set up for planes in three clocks" says none \
+    "p['limit']['binds'] and p['limit']['unit'] == 'next nodes' and p['limit']['busy'] > 0.85 and
+     u['rays set up for planes']['clocks'] == 3*count['rays_primary']"
 check "... as the run prints" grep -q \
-    '^limit, warm caches: rays set up for planes: busy in 9[5-9]' "$TMP/none.said"
+    '^limit, warm caches: next nodes: busy in [89]' "$TMP/none.said"
 check "... of which the clocks of the frame are made" says none \
-    "0.95*cycles < u['rays set up for planes']['clocks'] <= cycles"
+    "0.85*cycles < u['next nodes']['clocks'] <= cycles"
 check "no unit binds where memory is late" says late "not p['limit']['binds'] and
     sum(row['binds'] for row in u.values()) < cycles/2"
 check "... as the run prints" grep -q '^limit, cold caches: no single unit: .*none in [5-9]' \

@@ -63,8 +63,8 @@ told "a text that is not there" \
 told "a text that stands there often" 'list.txt:3: from: stands [0-9]* times in' from 'from r'
 told "an edit of nothing" 'list.txt:3: to: is what stands in cmodel/prim/sphere.c already' \
     to 'to ahead = r.disc > 0'
-told "a file that is none" 'list.txt:3: model: there is no cmodel/prim/laef.c; .*leaf.c is' \
-    model 'model prim/laef.c'
+told "a file that is none" 'list.txt:3: model: there is no cmodel/prim/shpere.c; .*sphere.c is' \
+    model 'model prim/shpere.c'
 told "a judge that is none" 'list.txt:6: by: hrad is no judge; hard is meant?' by 'by hrad 1'
 told "a case that is none" 'list.txt:6: by: 88 is no named case, 1 to 87' by 'by hard 88'
 told "a test that is none" 'list.txt:6: by: there is no test test_limit; test_limits is' \

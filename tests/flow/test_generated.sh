@@ -21,6 +21,14 @@ ${CC:-gcc} -std=c11 -O2 -Icmodel cmodel/math/gen_rsqrt.c -lm -o "$TMP/gen_rsqrt"
 same "rsqrt_table.h follows gen_rsqrt.c" cmodel/math/rsqrt_table.h "$TMP/rsqrt_table.h"
 same "rt_rsqrt_rom.v follows gen_rsqrt.c" rtl/math/rt_rsqrt_rom.v "$TMP/rt_rsqrt_rom.v"
 
+${CC:-gcc} -std=c11 -O2 -Icmodel cmodel/math/gen_reciprocal.c -o "$TMP/gen_reciprocal" || exit 1
+"$TMP/gen_reciprocal" c >"$TMP/reciprocal_table.h"
+"$TMP/gen_reciprocal" v >"$TMP/rt_reciprocal_rom.v"
+same "reciprocal_table.h follows gen_reciprocal.c" cmodel/math/reciprocal_table.h \
+    "$TMP/reciprocal_table.h"
+same "rt_reciprocal_rom.v follows gen_reciprocal.c" rtl/math/rt_reciprocal_rom.v \
+    "$TMP/rt_reciprocal_rom.v"
+
 ${CC:-gcc} -std=c11 -O2 -Icmodel cmodel/texture/gen_log2.c -lm -o "$TMP/gen_log2" || exit 1
 "$TMP/gen_log2" c >"$TMP/log2_table.h"
 "$TMP/gen_log2" v >"$TMP/rt_log2_rom.v"

@@ -31,6 +31,26 @@ icarus() { # folder of the two files
     (cd "$1" && vvp -n "$TMP/minimal" && drawn .)
 }
 check "... and draws the model's frame" icarus "$TMP"
+
+# ---- memories of a compiler in the place of block RAM: their model gives x on a collision ----
+compiled() { # wrapper
+    sed "s,^rtl/memory/rt_slot_ram.v,$1\nexamples/asic/rt_sram.v," rtl/sphaera.f >"$TMP/asic.f"
+    silent iverilog -g2005 -Wall -f "$TMP/asic.f" -s minimal -o "$TMP/minimal" \
+        examples/minimal/minimal.v && icarus "$TMP"
+}
+check "with the wrapper of compiled SRAM it draws it, too" compiled examples/asic/rt_slot_ram.v
+sed 's/^module rt_slot_ram/&_rtl/' rtl/memory/rt_slot_ram.v >"$TMP/rtl.v"
+sed 's/wire  *meets = .*;/wire meets = 1'"'b0"';/; s/&& !meets/\&\& 1/' \
+    examples/asic/rt_slot_ram.v >"$TMP/hasty.v"
+beside() { # wrapper
+    iverilog -g2005 -Irtl/memory -s beside -o "$TMP/beside" examples/asic/beside.v "$1" \
+        examples/asic/rt_sram.v "$TMP/rtl.v" rtl/memory/rt_slot_file.v &&
+        vvp -n "$TMP/beside" | tee "$TMP/said" && grep -q '^0 of 4000 clocks differ' "$TMP/said"
+}
+check "it is in every clock what it replaces" beside examples/asic/rt_slot_ram.v
+differs() { ! beside "$TMP/hasty.v" && grep -q '^[1-9][0-9]* of 4000 clocks differ' "$TMP/said"; }
+check "... and not if a read does not take the word that waits" differs
+
 check "Verilator takes rtl/sphaera.f in silence" silent verilator --lint-only --timing \
     --language 1364-2005 --top-module minimal -f rtl/sphaera.f examples/minimal/minimal.v
 sed -n 's/^    //; /^files=/p; /^yosys /p' docs/reference/core.md >"$TMP/yosys.sh"

@@ -27,7 +27,8 @@ find . -type f ! -name '*.pyc' | sort | xargs cksum | diff "$TMP/before" - |
     sed -n 's/^> .* //p' >"$TMP/changed"
 generated() {
     printf './%s\n' $def cmodel/machine/layout.h rtl/core/rt_core_rules.vh rtl/core/rt_effects.vh \
-        rtl/core/rt_effects_pass.vh rtl/core/rt_layout.vh | sort | diff - "$TMP/changed"
+        rtl/core/rt_effects_pass.vh rtl/core/rt_layout.vh docs/reference/rt_top.rdl | sort |
+        diff - "$TMP/changed"
 }
 check "one line of machine.def changes what is generated and nothing else" generated
 check "layout.h has bit, entry and mask" \

@@ -38,6 +38,7 @@ static const char *const whole[] = {
     "frame ",
     "camera: ",
     "no atom",
+    "no points",
     "is a folder",
     "cannot ",
     "no memory",

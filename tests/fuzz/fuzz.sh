@@ -29,7 +29,7 @@ failed=0
 sources() {
     python3 -c 'import sys; from lab.pages import digest as d
 print(d.of_files(sys.argv[1:], d.of("model")))' "tests/fuzz/harness_$1.c" tests/fuzz/afl.c \
-        tests/fuzz/change.c tests/fuzz/common.c tests/fuzz/driver.c tests/fuzz/scene.c
+        tests/fuzz/driver.c tests/fuzz/common.c tests/fuzz/driver.c tests/fuzz/scene.c
 }
 
 # What afl-fuzz says of itself: a field of its statistics.

@@ -32,7 +32,7 @@ void fuzz_begin(const char *root) {
 static void texture(void) {
     struct sph_mip mip;
     struct sph_error err = {""};
-    if (sph_mip_load("image", &mip, &err)) {
+    if (sph_mip_load("image", SPH_COLOURS_OF_FILE, &mip, &err)) {
         fuzz_message(&err, "image", 0);
         if (mip.texels) fuzz_fail("refused, and something to free");
         return;

@@ -1,10 +1,10 @@
-/* harness_pdb.c - molecules of the Protein Data Bank
+/* harness_pdb.c - molecules (PDB, mmCIF, XYZ) and tables of points (CSV)
  * SPDX-License-Identifier: Apache-2.0
  */
 #include <stdio.h>
 
 #include "fuzz.h"
-#include "scene/pdb_import.h"
+#include "scene/import.h"
 
 static char elements[4096];
 
@@ -12,16 +12,22 @@ void fuzz_begin(const char *root) {
     snprintf(elements, sizeof elements, "%s/elements.xml", root);
 }
 
+/* What a file is read as: by its first byte. */
+static enum sph_file_kind kind_of(const uint8_t *data, size_t size) {
+    char first = (char)(size ? data[0] : 0);
+    return first == 'd' || first == '#'   ? SPH_FILE_CIF
+           : first >= '0' && first <= '9' ? SPH_FILE_XYZ
+           : first == 'x'                 ? SPH_FILE_CSV
+                                          : SPH_FILE_PDB;
+}
+
 void fuzz_one(const uint8_t *data, size_t size) {
     struct sph_scene scene;
     struct sph_error err = {""};
     uint64_t choice = fuzz_hash(data, size);
-    struct sph_import_counts counts;
-    struct sph_import_options o = {.elements_path = elements,
-                                   .keep_water = choice >> 60 & 1,
-                                   .counts = choice >> 61 & 1 ? &counts : NULL};
+    struct sph_import_options o = {.elements_path = elements, .keep_water = choice >> 60 & 1};
     fuzz_write("atoms.pdb", data, size);
-    if (sph_import_pdb("atoms.pdb", &o, &scene, &err)) {
+    if (sph_import("atoms.pdb", kind_of(data, size), &o, &scene, &err)) {
         fuzz_message(&err, "atoms.pdb", 1);
         return;
     }

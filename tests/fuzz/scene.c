@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "builder/profile/choose_profile.h"
+#include "trial/choose.h"
 #include "render/render.h"
 #include "fuzz.h"
 #include "naive/naive.h"

@@ -8,7 +8,7 @@
 #include "check.h"
 #include "naive/naive.h"
 #include "naive/hit.h"
-#include "naive/optics.h"
+#include "naive/math.h"
 #include "shade/refract.h"
 #include "surface.h"
 #include "trace/filter.h"

@@ -11,7 +11,6 @@
 #include "naive/hit.h"
 #include "naive/math.h"
 #include "naive/naive.h"
-#include "naive/optics.h"
 #include "named.h"
 #include "shade/refract.h"
 #include "surface.h"

@@ -6,7 +6,7 @@
 
 #include <string.h>
 
-#include "naive/optics.h"
+#include "naive/math.h"
 #include "shade/refract.h"
 #include "trace/setup.h"
 

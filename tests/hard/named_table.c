@@ -80,7 +80,8 @@ const struct hard_named hard_named[] = {
      named_near_far},
     {"concentric", "Radii R and R+1: the outer from outside, the inner from inside.",
      named_concentric},
-    {"identical", "The same sphere twice: the builder refuses; without it the lower id wins.",
+    {"identical",
+     "The same sphere twice: the reader keeps the first; without it the lower id wins.",
      named_identical},
     {"in the lens",
      "The origin in two spheres that cut each other: the first exit; a scene seen "

@@ -55,10 +55,10 @@ std::uint32_t rgba(unsigned r, unsigned g, unsigned b, unsigned a) {
 }
 
 /* The first texel of a file, 0 and a message if it is refused. */
-std::uint32_t first(const std::string &name) {
+std::uint32_t first(const std::string &name, int colours = SPH_COLOURS_LINEAR) {
     struct sph_mip mip;
     struct sph_error err = {{0}};
-    if (sph_mip_load(at(name).c_str(), &mip, &err)) {
+    if (sph_mip_load(at(name).c_str(), colours, &mip, &err)) {
         std::printf("# %s\n", err.text);
         return 0;
     }
@@ -87,7 +87,7 @@ void kinds() {
         {"rgb16.ppm", 3, u16, rgba(200, 100, 50, 255)},
         {"grey16.pgm", 1, u16, rgba(200, 200, 200, 255)},
         {"real.exr", 3, real, rgba(200, 100, 50, 255)},
-        {"reala.exr", 4, real, rgba(200, 100, 50, 25)},
+        {"reala.exr", 4, real, rgba(255, 255, 255, 25)}, /* multiplied by alpha, by definition */
         {"grey.exr", 1, real, rgba(200, 200, 200, 255)},
     };
     for (const auto &c : cases) {
@@ -104,6 +104,9 @@ void kinds() {
                           static_cast<int>(std::lround(255 * v[c]))) <= 2;
     check(jpeg && close && texel >> 24 == 255, "rgb.jpg within 2");
 
+    const float dim[4] = {0.1f, 0.05f, 0.025f, 0.5f};
+    write("dim.exr", 1, 1, 4, real, [&](int, int, int c) { return dim[c]; });
+    check(first("dim.exr") == rgba(51, 26, 13, 128), "what an EXR multiplies by alpha is divided");
     const float odd[4] = {-3, 7, NAN, 0.5f}; /* real numbers that are no colours */
     write("odd.exr", 1, 1, 4, real, [&](int, int, int c) { return odd[c]; });
     check(first("odd.exr") == rgba(0, 255, 0, 128), "real numbers are limited to 0 .. 1");
@@ -111,7 +114,53 @@ void kinds() {
     write("half.pgm", 1, 1, 1, u16, [](int, int, int) { return 32768 / 65535.0f; });
     check((first("half.pgm") & 255) == 128, "16 bits are rounded to nearest");
     write("many.exr", 1, 1, 6, real, [](int, int, int c) { return static_cast<float>(c) / 10; });
-    check(first("many.exr") == rgba(0, 26, 51, 77), "of six channels four count");
+    check(first("many.exr") == rgba(0, 85, 170, 77), "of six channels four count");
+}
+
+/* Bytes of a file as light: by its own rule, and as asked for. */
+void colours() {
+    const OIIO::TypeDesc u8 = OIIO::TypeUInt8, u16 = OIIO::TypeUInt16, real = OIIO::TypeFloat;
+    auto grey = [](int, int, int) { return 128 / 255.0f; };
+    const struct {
+        const char *name;
+        OIIO::TypeDesc type;
+        unsigned by_file; /* 55 is the light of 128 in sRGB */
+    } cases[] = {{"c8.png", u8, 55}, {"c16.png", u16, 55},  {"c8.ppm", u8, 55},
+                 {"c8.tif", u8, 55}, {"c16.tif", u16, 128}, {"c.exr", real, 128},
+                 {"c8.bmp", u8, 55}, {"c8.tga", u8, 55},    {"c.tif", real, 128}};
+    for (const auto &c : cases) {
+        bool good = write(c.name, 2, 2, 3, c.type, grey) &&
+                    (first(c.name, SPH_COLOURS_OF_FILE) & 255) == c.by_file &&
+                    (first(c.name, SPH_COLOURS_SRGB) & 255) == 55 &&
+                    (first(c.name, SPH_COLOURS_LINEAR) & 255) == 128;
+        check(good, std::string("light of ") + c.name);
+    }
+    OIIO::ImageSpec spec(1, 1, 3, u8);
+    const struct {
+        float gamma;
+        unsigned light;
+    } gammas[] = {{1, 128}, {2, 64}};
+    for (const auto &g : gammas) {
+        spec.attribute("oiio:Gamma", g.gamma);
+        spec.attribute("oiio:ColorSpace", g.gamma > 1 ? "Gamma2.0" : "Linear");
+        const float v[3] = {128 / 255.0f, 128 / 255.0f, 128 / 255.0f};
+        auto out = OIIO::ImageOutput::create(at("gamma.png"));
+        bool good = out && out->open(at("gamma.png"), spec) &&
+                    out->write_image(OIIO::TypeFloat, v) && out->close();
+        std::uint32_t texel = first("gamma.png", SPH_COLOURS_OF_FILE);
+        std::printf("# gamma %g: %08x\n", static_cast<double>(g.gamma), texel);
+        check(good && (texel & 255) == g.light, "a PNG's own gamma");
+    }
+    /* OpenImageIO's writer divides by alpha in linear light, so that 200, 100, 50 are in the file
+     */
+    const float half[4] = {147 / 255.0f, 71 / 255.0f, 34 / 255.0f, 128 / 255.0f};
+    bool good = write("half.webp", 16, 16, 4, u8, [&](int, int, int c) { return half[c]; });
+    std::uint32_t texel = first("half.webp");
+    std::printf("# half.webp %08x\n", texel);
+    const unsigned want[4] = {200, 100, 50, 128};
+    for (unsigned c = 0; c < 4; c++)
+        good &= std::abs(static_cast<int>(texel >> 8 * c & 255) - static_cast<int>(want[c])) <= 6;
+    check(good, "WebP with alpha keeps its colour, within 6 of its losses");
 }
 
 /* The mean of the texels of level 0 that a texel of an image with sides 2^n covers. */
@@ -133,7 +182,7 @@ void chains() {
     struct sph_mip mip;
     struct sph_error err = {{0}};
     write("noise.png", 64, 32, 3, OIIO::TypeUInt8, noise);
-    bool good = !sph_mip_load(at("noise.png").c_str(), &mip, &err);
+    bool good = !sph_mip_load(at("noise.png").c_str(), SPH_COLOURS_LINEAR, &mip, &err);
     check(good && mip.width == 64 && mip.height == 32 && mip.levels == 7, "64 x 32 has 7 levels");
     double worst = 0;
     int texels = 0;
@@ -155,7 +204,7 @@ void chains() {
         std::string name = "flat" + std::to_string(s[0]) + "x" + std::to_string(s[1]) + ".png";
         const float v[3] = {1 / 255.0f, 128 / 255.0f, 254 / 255.0f};
         write(name, s[0], s[1], 3, OIIO::TypeUInt8, [&](int, int, int c) { return v[c]; });
-        good = !sph_mip_load(at(name).c_str(), &mip, &err);
+        good = !sph_mip_load(at(name).c_str(), SPH_COLOURS_LINEAR, &mip, &err);
         std::size_t all = good ? sph_mip_at(&mip, mip.levels) : 0, same = 0;
         for (std::size_t i = 0; i < all; i++)
             same += mip.texels[i] == rgba(1, 128, 254, 255);
@@ -165,7 +214,7 @@ void chains() {
 
     /* an odd side: the mean stays */
     write("odd.png", 81, 63, 3, OIIO::TypeUInt8, noise);
-    good = !sph_mip_load(at("odd.png").c_str(), &mip, &err);
+    good = !sph_mip_load(at("odd.png").c_str(), SPH_COLOURS_LINEAR, &mip, &err);
     double sum = 0;
     for (int i = 0; good && i < 81 * 63; i++)
         sum += mip.texels[i] & 255;
@@ -190,7 +239,7 @@ void cut(const std::string &from, const std::string &to, int percent) {
 void refused(const std::string &name, const char *reason) {
     struct sph_mip mip;
     struct sph_error err = {{0}};
-    int rc = sph_mip_load(at(name).c_str(), &mip, &err);
+    int rc = sph_mip_load(at(name).c_str(), SPH_COLOURS_LINEAR, &mip, &err);
     std::printf("# %s\n", err.text);
     check(rc == -1 && !mip.texels && std::strstr(err.text, at(name).c_str()) &&
               std::strlen(err.text) > at(name).size() + 2 && std::strstr(err.text, reason),
@@ -270,6 +319,7 @@ int main() {
     const char *tmp = std::getenv("TMP");
     folder = tmp ? tmp : ".";
     kinds();
+    colours();
     chains();
     bad();
     written();

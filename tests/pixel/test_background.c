@@ -8,7 +8,7 @@
 #include <glob.h>
 #include <string.h>
 
-#include "pixel/walk.h"
+#include "pixel/background.h"
 #include "naive/naive.h"
 #include "render/render.h"
 #include "validate/validate.h"

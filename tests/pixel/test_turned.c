@@ -6,7 +6,7 @@
 #include "builder/grid/grid.h"
 #include "render/render.h"
 #include "machine/camera.h"
-#include "pixel/walk.h"
+#include "pixel/background.h"
 #include "naive/naive.h"
 #include "validate/validate.h"
 
@@ -240,8 +240,8 @@ static void test_merged(void **unused) {
     for (o.profile = SPH_DRAFT; o.profile < SPH_PROFILES; o.profile++) {
         m = built(&s, o, &report);
         assert_int_equal(report.facets, n + 1);
-        assert_non_null(strstr(report.warning, "cloud.nff:113: the first of 1 triangles that the "
-                                               "grid of profile"));
+        assert_int_equal(report.ledger.row[SPH_READ_TRIANGLE_GRID].n, 1);
+        assert_int_equal(report.ledger.row[SPH_READ_TRIANGLE_GRID].line, 113);
         sph_machine_free(&m);
     }
     facet_list[n + 1].v[2].y = 1e-4;

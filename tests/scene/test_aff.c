@@ -380,7 +380,7 @@ static void test_skip(void **unused) {
     const char *text = CAM MAT "pb\n1 2 3\nxs 1 2 1 0 0 1 0 0 0 0 { s 0 0 0 1 }\n" MESH;
     put_file(text, strlen(text));
     if (sph_scene_read(file_name, &skip, &s, &err)) fail_msg("%s", err.text);
-    assert_int_equal(s.n_skipped, 2);
+    assert_int_equal(sph_ledger_left_out(&s.ledger), 2);
     assert_int_equal(s.n_facets, 1);
     assert_int_equal(s.n_spheres, 0);
     sph_scene_free(&s);

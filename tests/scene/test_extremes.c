@@ -22,11 +22,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "builder/profile/choose_profile.h"
+#include "trial/choose.h"
 #include "common/number.h"
 #include "render/render.h"
 #include "number.h"
-#include "scene/pdb_import.h"
+#include "scene/import.h"
 #include "validate/describe.h"
 
 static const char *const values[] = {
@@ -100,7 +100,7 @@ static size_t multiplied(const char *text, const char *value, char *out) {
 
 static int read_scene(const char *path, struct sph_scene *scene, struct sph_error *err) {
     const struct sph_read_options options = {.skip_unsupported = 1, .at = 1};
-    return strstr(path, ".pdb") ? sph_import_pdb(path, NULL, scene, err)
+    return strstr(path, ".pdb") ? sph_import(path, SPH_FILE_PDB, NULL, scene, err)
                                 : sph_scene_read(path, &options, scene, err);
 }
 

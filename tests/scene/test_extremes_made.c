@@ -14,7 +14,7 @@
 #include <signal.h>
 #include <sys/time.h>
 
-#include "builder/profile/choose_profile.h"
+#include "trial/choose.h"
 #include "render/render.h"
 #include "number.h"
 #include "scene/generate.h"

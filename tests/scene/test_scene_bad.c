@@ -30,7 +30,8 @@ static const struct bad bads[] = {
     {"radius_zero", CAM MAT "s 0 0 0 0\n", 9, "`s`: radius is 0", 0, 0},
     {"radius_underflow", CAM MAT "s 0 0 0 1e-999\n", 9, "`s`: radius is 0", 0, 0},
     {"radius_minus_zero", CAM MAT "s 0 0 0 -0\n", 9, "`s`: radius is 0", 0, 0},
-    {"radius_both_signs", CAM MAT "s 0 0 0 1\ns 0 0 0 -1\n", 10, "the same sphere", 0, 0},
+    {"radius_both_signs", CAM MAT "s 0 0 0 1\ns 0 0 0 -1\n", 10, "sphere that stands there twice",
+     STRICT, 0},
     {"eye_is_target", VIEW("1 2 3", "1 2 3", "0 1 0", "30", "9 9"), 1, "same point", 0, 0},
     {"up_parallel", VIEW("0 0 5", "0 0 0", "0 0 -2", "30", "9 9"), 1, "parallel", 0, 0},
     {"up_zero", VIEW("0 0 5", "0 0 0", "0 0 0", "30", "9 9"), 1, "`up` is zero", 0, 0},
@@ -43,8 +44,8 @@ static const struct bad bads[] = {
     {"sphere_before_material", CAM "s 0 0 0 1\n", 8, "no material", 0, 0},
     {"second_view", CAM CAM, 8, "second `v`; the first is in line 1", 0, 0},
     {"second_background", CAM "b 0 0 0\nb 0 0 0\n", 9, "second `b`", 0, 0},
-    {"duplicate", CAM MAT "s 1 2 3 4\ns 0 0 0 1\ns 1 2 3.0 4e0\n", 11, "in line 9", 0, 0},
-    {"duplicate_zeros", CAM MAT "s 0 0 0 1\n" MAT "s 0 -0 0 1\n", 11, "in line 9", 0, 0},
+    {"duplicate", CAM MAT "s 1 2 3 4\ns 0 0 0 1\ns 1 2 3.0 4e0\n", 11, "that of line 9", STRICT, 0},
+    {"duplicate_zeros", CAM MAT "s 0 0 0 1\n" MAT "s 0 -0 0 1\n", 11, "that of line 9", STRICT, 0},
     {"nine_lights", CAM LIGHT LIGHT LIGHT LIGHT LIGHT LIGHT LIGHT LIGHT LIGHT, 16, "more than 8", 0,
      0},
     {"nul_byte", CAM MAT "s 0 0\0 0 1\n", 9, "byte 0x00", 0, sizeof CAM MAT "s 0 0\0 0 1\n" - 1},
@@ -62,8 +63,15 @@ static const struct bad bads[] = {
     {"shine_negative", CAM "f 1 0 0 .5 .5 -1 0 1\n", 8, "Shine", 0, 0},
     {"light_negative", CAM "l 0 0 0 1 -1 1\n", 8, "green -1 is negative", 0, 0},
     {"garbage", CAM "hello\n", 8, "unknown word `hello`", 0, 0},
-    {"garbage_with_skip", CAM "hello\n", 8, "unknown word `hello`", 1, 0},
-    {"number_alone", CAM "42\n", 8, "unknown word `42`", 1, 0},
+    {"garbage_with_skip", CAM "hello\n", 8, "unknown word `hello`", SKIP, 0},
+    {"number_alone", CAM "42\n", 8, "unknown word `42`: a number where a record should", SKIP, 0},
+    {"image_behind_f", CAM "f 1 0 0 1 0 0 0 1 brick.PPM\n", 8, "`texture brick.PPM su sv`", 0, 0},
+    {"quadric", CAM MAT "Q 1 2 3\n", 9, "unknown word `Q`: no record of NFF or AFF", 0, 0},
+    {"sense8", "nff\nversion 2.0\n", 1, "Neutral File Format of Sense8", 0, 0},
+    {"obj", "# a\no x\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", 0, "is a Wavefront OBJ mesh", 0, 0},
+    {"ply", "ply\nformat ascii 1.0\n", 0, "is a PLY mesh", 0, 0},
+    {"png", "\x89PNG\r\n\x1a\n", 0, "is a PNG image, no scene", 0, 0},
+    {"zeros", "\0\0", 1, "byte 0x00", 0, 2},
     {"patch", CAM "tpp x\n", 8, "`tpp` (textured triangle with normals) is not", 0, 0},
     {"patch_part", CAM MAT "pb 3 1 2\n", 9, "`pb` (Bezier patch) is not", 0, 0},
 };
@@ -72,7 +80,7 @@ static void test_bad(void **state) {
     const struct bad *bad = *state;
     struct sph_error err = {""};
     struct sph_scene scene;
-    struct sph_read_options options = {.skip_unsupported = bad->skip};
+    const struct sph_read_options options = bad_options(bad);
     put_bad(bad);
     assert_int_equal(sph_scene_read(file_name, &options, &scene, &err), -1);
     assert_message(bad, &err);

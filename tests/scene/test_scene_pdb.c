@@ -8,7 +8,7 @@
 #include <math.h>
 
 #include "scene/elements.h"
-#include "scene/pdb_import.h"
+#include "scene/import.h"
 
 #define PYMOL "/usr/share/pymol/data/"
 
@@ -18,8 +18,7 @@
 static void test_pdb_small(void **state) {
     (void)state;
     struct sph_error err = {""};
-    struct sph_import_counts counts;
-    struct sph_import_options o = {.counts = &counts};
+    struct sph_import_options o = {0};
     struct sph_scene s;
     const char text[] = "MODEL        1\n" ATOM(
         " CA ", "A", "ALA", "   1.000", "   2.000", "   3.000",
@@ -33,19 +32,22 @@ static void test_pdb_small(void **state) {
                   "ENDMDL\nMODEL        2\n" ATOM(" O  ", " ", "ALA", "   9.000", "   2.000",
                                                   "   3.000", " O");
     put_file(text, sizeof text - 1);
-    if (sph_import_pdb(file_name, &o, &s, &err)) fail_msg("%s", err.text);
-    assert_int_equal(counts.atoms, 4);
-    assert_int_equal(counts.waters, 1);
-    assert_int_equal(counts.alternates, 1);
-    assert_int_equal(counts.duplicates, 1);
+    if (sph_import(file_name, SPH_FILE_PDB, &o, &s, &err)) fail_msg("%s", err.text);
+    const struct sph_ledger_row *row = s.ledger.row;
+    assert_int_equal(s.n_spheres, 4);
+    assert_int_equal(row[SPH_READ_WATER].n, 1);
+    assert_int_equal(row[SPH_READ_ALTERNATE].n, 1);
+    assert_int_equal(row[SPH_READ_OTHER_PLACE].n, 1);
+    assert_int_equal(row[SPH_READ_SAME_PLACE].n, 1);
+    assert_int_equal(row[SPH_READ_MODEL].n, 1);
     static const double rads[] = {1.7, 1.2, 2.4, 2.1}; /* C, H, Ca, Zn: Blue Obelisk */
     for (uint32_t i = 0; i < 4; i++)
         assert_true(s.spheres[i].rad == rads[i]);
     assert_int_equal(s.spheres[3].line, 7);
     sph_scene_free(&s);
     o.keep_water = 1;
-    assert_int_equal(sph_import_pdb(file_name, &o, &s, &err), 0);
-    assert_int_equal(counts.atoms, 5);
+    assert_int_equal(sph_import(file_name, SPH_FILE_PDB, &o, &s, &err), 0);
+    assert_int_equal(s.n_spheres, 5);
     round_trip(&s);
     sph_scene_free(&s);
 }
@@ -77,7 +79,7 @@ static void test_pdb_ions(void **state) {
         n += (size_t)sprintf(text + n, "%s    1 %s %s     1    %8d   0.000   0.000  1.00  0.00\n",
                              ions[i].record, ions[i].name, ions[i].residue, 5 * i);
     put_file(text, n);
-    if (sph_import_pdb(file_name, NULL, &s, &err)) fail_msg("%s", err.text);
+    if (sph_import(file_name, SPH_FILE_PDB, NULL, &s, &err)) fail_msg("%s", err.text);
     assert_int_equal(sph_elements_read(SPH_ELEMENTS_PATH, &elements, &err), 0);
     assert_int_equal(s.n_spheres, IONS);
     for (int i = 0; i < IONS; i++) {
@@ -98,12 +100,14 @@ static const struct bad bad_pdbs[] = {
     {"pdb_nan", ATOM(" C  ", " ", "ALA", "     nan", "   2.000", "   3.000", " C"), 1,
      "x (columns 31-38)", 0, 0},
     {"pdb_short_line", "ATOM      1  C   ALA A   1       1.000   2.000", 1, "column 54", 0, 0},
-    {"pdb_element", ATOM("??? ", " ", "XXX", "   1.000", "   2.000", "   3.000", "  "), 1,
-     "no element", 0, 0},
-    {"pdb_ion", ATOM("Xq+ ", " ", "Xq+", "   1.000", "   2.000", "   3.000", "  "), 1,
-     "no element known for atom `Xq+`", 0, 0},
+    {"pdb_element", ATOM("??? ", " ", "XXX", "   1.000", "   2.000", "   3.000", "  "), 0,
+     "no atoms other than 0 of water (kept by --water), 1 of no known element", 0, 0},
+    {"pdb_ion", ATOM("Xq+ ", " ", "Xq+", "   1.000", "   2.000", "   3.000", "  "), 0,
+     "1 of no known element", 0, 0},
     {"pdb_nul", "ATOM  \0\n", 1, "byte 0x00", 0, 8},
-    {"pdb_long_line", "REMARK\n" X100("0123456789") "0\n", 2, "more than 1000 characters", 0, 0},
+    {"pdb_long_line",
+     "REMARK\n" X100("0123456789") X100("0123456789") X100("0123456789") X100("0123456789") "0\n",
+     2, "more than 4000 characters", 0, 0},
     {"pdb_no_atom", "REMARK\nEND\n", 0, "no atoms", 0, 0},
     {"pdb_empty", "", 0, "no atoms", 0, 0},
 };
@@ -113,7 +117,7 @@ static void test_bad_pdb(void **state) {
     struct sph_error err = {""};
     struct sph_scene s;
     put_bad(bad);
-    assert_int_equal(sph_import_pdb(file_name, NULL, &s, &err), -1);
+    assert_int_equal(sph_import(file_name, SPH_FILE_PDB, NULL, &s, &err), -1);
     assert_message(bad, &err);
     assert_null(s.spheres);
 }
@@ -123,14 +127,14 @@ static void test_pdb_files_missing(void **state) {
     struct sph_error err = {""}, err2 = {""}, err3 = {""};
     struct sph_import_options o = {.elements_path = "/nowhere/elements.xml"};
     struct sph_scene s;
-    assert_int_equal(sph_import_pdb("/nowhere/x.pdb", NULL, &s, &err), -1);
+    assert_int_equal(sph_import("/nowhere/x.pdb", SPH_FILE_PDB, NULL, &s, &err), -1);
     assert_non_null(strstr(err.text, "/nowhere/x.pdb: cannot open"));
-    assert_int_equal(sph_import_pdb(PYMOL "demo/pept.pdb", &o, &s, &err2), -1);
+    assert_int_equal(sph_import(PYMOL "demo/pept.pdb", SPH_FILE_PDB, &o, &s, &err2), -1);
     assert_non_null(strstr(err2.text, "Debian package bodr"));
     const char xml[] = "<list>\n<atom id='C'></list>";
     put_file(xml, sizeof xml - 1);
     o.elements_path = file_name;
-    assert_int_equal(sph_import_pdb(PYMOL "demo/pept.pdb", &o, &s, &err3), -1);
+    assert_int_equal(sph_import(PYMOL "demo/pept.pdb", SPH_FILE_PDB, &o, &s, &err3), -1);
     assert_non_null(strstr(err3.text, "scene.nff:2: mismatched tag"));
 }
 
@@ -146,12 +150,11 @@ static void test_pdb_proteins(void **state) {
                  {PYMOL "demo/pept.pdb", 107, 0}};
     for (int i = 0; i < 4; i++) {
         struct sph_error err = {""};
-        struct sph_import_counts counts;
-        struct sph_import_options o = {.counts = &counts, .width = 64, .height = 48};
+        struct sph_import_options o = {.width = 64, .height = 48};
         struct sph_scene s;
-        if (sph_import_pdb(files[i].path, &o, &s, &err)) fail_msg("%s", err.text);
+        if (sph_import(files[i].path, SPH_FILE_PDB, &o, &s, &err)) fail_msg("%s", err.text);
         assert_int_equal(s.n_spheres, files[i].atoms);
-        assert_int_equal(counts.waters, files[i].waters);
+        assert_int_equal(s.ledger.row[SPH_READ_WATER].n, files[i].waters);
         const struct sph_vec f = s.camera.from, a = s.camera.at, u = s.camera.up;
         double dist = hypot(hypot(f.x - a.x, f.y - a.y), f.z - a.z), t = tan(M_PI / 12);
         for (uint32_t k = 0; k < s.n_spheres; k++) {

@@ -11,7 +11,7 @@
 
 #include "render/render.h"
 #include "math/arith.h"
-#include "pixel/walk.h"
+#include "pixel/background.h"
 #include "prim/facet.h"
 #include "prim/prim.h"
 #include "scene/generate.h"

@@ -10,7 +10,7 @@
 #include <string.h>
 
 #include "math/arith.h"
-#include "naive/optics.h"
+#include "naive/math.h"
 #include "shade/refract.h"
 #include "trace/setup.h"
 

@@ -5,7 +5,7 @@ set -u
 . "$(dirname "$0")/../tap.sh"
 cd "$(dirname "$0")/../.." || exit 1
 s=$SPHAERA
-size="--size 32x18"
+size="--size 32x18 --profile fine"
 
 mkdir -p "$TMP/aff" "$TMP/TextureFiles"
 printf 'P3 2 2 255 255 0 0 0 255 0 0 0 255 255 255 255\n' >"$TMP/TextureFiles/four.ppm"
@@ -32,7 +32,7 @@ has() { grep -qE -- "$1" "$2"; } # pattern, file
 # shellcheck disable=SC2086
 check "a scene of AFF is built" sh -c "'$s' build '$scene' $size -o '$TMP/a.sph' >'$TMP/text' 2>&1"
 check "a triangle that stands there twice is left out" \
-    has 'scene.aff:8: the first of 1 triangles that stand in the scene twice' "$TMP/text"
+    has 'scene.aff:8: left out: triangle that stands there twice, 1 time' "$TMP/text"
 check "sphere and triangle" has '1 spheres, 1 triangles, 1 lights' "$TMP/text"
 check "its image is found beside the folder" has '1 images' "$TMP/text"
 

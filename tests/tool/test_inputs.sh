@@ -27,7 +27,7 @@ for file in /dev/zero:"a device" pipe:"a pipe" folder:"a folder"; do
     path=${file%%:*} says="${file%%:*}: is ${file#*:}, not a file"
     refused "$says" build "$path" -o x.sph
     refused "$says" import "$path" -o x.nff
-    refused "$says" import /nowhere.pdb --elements "$path" -o x.nff
+    refused "$says" import "$here/tests/fuzz/corpus/pdb/one.pdb" --elements "$path" -o x.nff
     refused "$says" compare "$path" "$path"
     textured "$path" >scene.nff
     refused "scene.nff:[0-9]*: texture: $says" render scene.nff
@@ -74,7 +74,11 @@ check "nothing was written" sh -c '! ls x.sph x.nff'
 # ---- info, of scenes of which the numbers are as small and large as they may be ----
 described() { # scene, from here
     timeout 5 "$s" info "$1" >log 2>&1
-    [ $? -eq 1 ] && grep -q "^sphaera: $1: is no machine file" log || { cat log && return 1; }
+    case $? in
+        0) grep -q "^$1:[0-9]*: used: camera, 1 time" log || { cat log && return 1; } ;;
+        1) grep -q "^sphaera: $1:[0-9 ]" log || { cat log && return 1; } ;;
+        *) cat log && return 1 ;;
+    esac
     timeout 5 "$s" build "$1" --size 8x5 -o small.sph >log 2>&1 ||
         { grep -q "^sphaera: $1:[0-9 ]" log || { cat log && return 1; }; return 0; }
     timeout 5 "$s" info small.sph --pixel 4,2 >log 2>&1 || { cat log && return 1; }

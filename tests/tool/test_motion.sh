@@ -6,7 +6,7 @@ set -u
 cd "$(dirname "$0")/../.." || exit 1
 s=$SPHAERA
 robot=scenes/texture/robot.nff
-size="--size 32x18"
+size="--size 32x18 --profile fine"
 
 has() { grep -qE -- "$1" "$2"; } # pattern, file
 

@@ -78,7 +78,8 @@ check "widths of one's own are the only row" one_row
 
 # ---- cells, clock, milliseconds: of that very core, or estimated ----
 known() {
-    priced scenes/sphereflake2.nff --size 100x50 --effects all && asked "r['standard']['clock']['seeds'] == 5
+    priced scenes/sphereflake2.nff --size 100x50 --effects all &&
+        asked "r['standard']['clock']['seeds'] == 5
         and r['standard']['clock']['median'] == 127.5 and r['draft']['cells']['lut4eq'] == 14179
         and abs(r['standard']['milliseconds'] - r['standard']['cycles_per_pixel'] * 5000 / 127500)
         < 1e-9 and not r['standard']['cells']['estimated']" && ! has '~' "$TMP/p"

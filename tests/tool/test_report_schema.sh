@@ -32,6 +32,7 @@ reports() { # NAME COMMAND...: it writes NAME.json
 reports build build "$scenes/facets/room.nff" --size 16x10 -o room.sph
 reports build-frames build "$scenes/texture/robot.nff" --frames 0..1 --size 16x10 -o robot.sph
 reports info info room.sph --pixel 8,5 --stages
+reports info-scene info "$scenes/texture/hall.nff"
 reports render render "$scenes/facets/plane.nff" --size 16x10 -o a.png --frame a.frame
 reports render-frames render "$scenes/texture/robot.nff" --frames 0..1 --size 16x10 -o robot.png
 reports compare compare a.frame a.frame

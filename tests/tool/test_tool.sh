@@ -130,8 +130,11 @@ bent=$(($(wc -l <a.nff) + 1))
 "$s" build patch.nff --skip-unsupported -o patch.sph >patch.txt 2>&1
 check "a polygon that is not flat is cut in two and not left out" has "10 spheres, 2 triangles" \
     patch.txt
-check "... with a warning" has "patch.nff:$bent: the polygon is not flat, a corner is 0.0025 off" \
-    patch.txt
+check "... with a warning" has "patch.nff:$bent: used otherwise: polygon that is not" patch.txt
+check "... and the patch is told" \
+    has "patch.nff:$((bent + 5)): left out: record that is not" patch.txt
+fails 1 "--strict" "$s" build patch.nff --skip-unsupported --strict -o x.sph
+check "... names file and line" has "patch.nff:$bent: used otherwise: polygon" "$TMP/err"
 fails 1 "a patch without --skip-unsupported" "$s" build patch.nff -o x.sph
 "$s" build --help | tr -s ' \n' ' ' >help.txt
 check "--help says what is left out" \
@@ -332,8 +335,10 @@ done
 fails 2 "the scene's axes with background" "$s" build a.nff --axes scene --background rect -o x.sph
 fails 2 "refraction of depth 0" "$s" build g.nff --refract on --depth 0 -o x.sph
 fails 1 "a folder as scene" "$s" build . -o x.sph
-fails 1 "a scene as machine" "$s" info a.nff
-check "... says what makes one" has 'a.nff: is no machine file; .sphaera build. makes' "$TMP/err"
+check "info of a scene" "$s" info a.nff --json a.json
+fails 1 "rays of a scene" "$s" info a.nff --pixel 1,1
+check "... says what makes a machine" \
+    has 'a.nff: is an NFF scene: --pixel is for machine files; .sphaera build. makes' "$TMP/err"
 fails 1 "a scene to load" "$s" load --rom rom a.nff
 check "... says so, too" has 'a.nff: is no machine file; .sphaera build. makes' "$TMP/err"
 fails 1 "no machine" "$s" info nothing.nff
@@ -365,7 +370,7 @@ fails 1 "damaged frame" "$s" compare a.frame flip.frame
 fails 1 "output in no folder" "$s" build a.nff -o none/x.sph
 fails 1 "picture in no folder" "$s" render a.sph -o none/x.png
 fails 1 "report in no folder" "$s" render a.sph --json none/x.json
-# ---- a kind of scene in the place of a file; advice that can be followed ----
+# ---- a kind of scene in the place of a file ----
 "$s" gen random:20 --resolution 32x18 -o random.nff >log
 "$s" render random.nff --size 32x18 -o file.png | grep -e '^frame' >file.txt
 "$s" render random:20 --size 32x18 -o kind.png | grep -e '^frame' >kind.txt
@@ -374,14 +379,7 @@ fails 1 "a kind with a number out of range" "$s" render random:0 -o x.png
 check "... is told so" has "random:0: '0' is no number from 1 to 16000000" "$TMP/err"
 fails 1 "neither a file nor a kind" "$s" render nosuch:3 -o x.png
 check "... is told as a file" has "nosuch:3: cannot open" "$TMP/err"
-sed 's/^angle.*/angle 100/; s/^l .*/l 0 30 0/' "$root/scenes/facets/plane.nff" >wide.nff
-advice() { # profile, lines that advise a wider one
-    "$s" build wide.nff --profile "$1" -o wide.sph >log 2>&1 && grep 'so is an image on it' log &&
-        [ "$(grep -c 'A wider profile' log)" = "$2" ]
-}
-check "a wider profile is advised" advice standard 1
-check "... but not beside the widest" advice reference 0
-rm -f file.png kind.png wide.sph
+rm -f file.png kind.png
 
 fails 1 "a folder as output" "$s" render a.sph -o .
 if [ -c /dev/full ]; then

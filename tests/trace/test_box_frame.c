@@ -27,10 +27,13 @@ static void choose(struct sph_rng *rng, const struct sph_profile *p, struct sph_
     for (int i = 0; i < 3; i++)
         ray->a += (uint64_t)(ray->dir[i] * ray->dir[i]);
     *k = (int64_t)vec_unsigned(rng, p->w + 8);
+    for (int i = 0; i < 3; i++) /* to where it is on the grid */
+        while (llabs(ray->org[i] + ray->dir[i] * *k / PARTS) > 1ll << (p->w - 1))
+            *k >>= 1;
     for (int i = 0; i < 3; i++) {
         int own = vec_pick(rng, 0, 3) ? step : (int)vec_pick(rng, 0, 15);
         int64_t at = ray->org[i] + ray->dir[i] * *k / PARTS;
-        at = (at - (vec_pick(rng, 0, SPH_BOX_CODES - 1) << own)) >> up;
+        at = (at - (vec_pick(rng, 0, SPH_BOX_CODES - 1) << (own + sph_frame_step_shift(p)))) >> up;
         if (at < -end || at >= end) at = vec_signed(rng, SPH_FRAME_ORG_X_BITS);
         frame->org[i] = (int32_t)at * (1 << up);
         frame->step[i] = (uint8_t)(own + sph_frame_step_shift(p));
@@ -72,7 +75,8 @@ static void planes(void **state) {
             if (!begin_of(p, &ray, &frame, i, &from)) continue;
             for (int n = 0; n <= SPH_BOX_CODES; n += n ? 1 + (int)vec_pick(&rng, 0, 30) : 1) {
                 int64_t v = from + n * step;
-                int32_t enter = x->enter + n * x->step, leave = x->leave + n * (x->step + 2);
+                int32_t enter = x->enter + (n * x->step >> x->fine);
+                int32_t leave = x->leave + ((n - 1) * (x->step + 2) >> x->fine);
                 if (n < SPH_BOX_CODES && enter >= 0) assert_true(v >= 0 && (!x->flat || v > 0));
                 if (n && v >= 0) assert_true(leave > 0);
                 if (x->flat) continue;
@@ -83,7 +87,8 @@ static void planes(void **state) {
                 sph_i128 first = floor_of((sph_i128)ray.a * from, (sph_i128)size << bih.t_shift);
                 if (first < 0) first = -first;
                 int limited = first >= BEYOND;
-                assert_true(limited || leave - enter <= 2 * n + 4 + (int32_t)(first >> 14));
+                assert_true(limited ||
+                            leave - enter <= (2 * n >> x->fine) + 8 + (int32_t)(first >> 14));
                 bounds++;
             }
             open += x->open;

@@ -52,7 +52,7 @@ static void test_what_is_known(void **unused) {
         int pipes;
     } unknown[] = {{"standard", "shadow+lights1", 2},       /* pipes */
                    {"standard:pq=13", "shadow+lights1", 1}, /* widths */
-                   {"standard", "shadow+rect", 1}};         /* a word */
+                   {"standard", "shadow+nosuch", 1}};       /* a word */
     for (size_t i = 0; i < sizeof unknown / sizeof *unknown; i++) {
         c = sph_known_core(unknown[i].profile, unknown[i].effects, unknown[i].pipes);
         assert_true(!c.lut4eq && !(c.median > 0) && !c.cells_estimated && !c.clock_estimated);

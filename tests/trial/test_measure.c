@@ -14,7 +14,8 @@ static struct sph_yardstick yardstick(const struct sph_scene *scene,
                                       const struct sph_build_options *o, uint32_t most) {
     struct sph_yardstick y;
     struct sph_error err = {{0}};
-    if (sph_yardstick_make(scene, o, most, SPH_LOD_MENDED, 0, &y, &err)) fail_msg("%s", err.text);
+    const struct sph_yardstick_options how = {.most = most, .lod = SPH_LOD_MENDED};
+    if (sph_yardstick_make(scene, o, &how, &y, &err)) fail_msg("%s", err.text);
     return y;
 }
 

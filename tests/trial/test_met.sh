@@ -23,7 +23,7 @@ done <<'END'
 behind||^left out the sphere @:17: no ray of this frame meets it|lights1+camera
 behind|--effects all|^effect *reflect *2 *@:16 mirrors 26/256, depth 2$|.*+refract+.*
 hidden_mirror||^left out the sphere @:16: no ray of this frame meets it|lights1+camera
-light_below||^effect *lights *1 *1 of .* 2; left out: @:12 lights nothing|shadow+lights1+facets+camera
+light_below||^effect *lights *1 *1 of .* 2; left out: @:12 lights|shadow+lights1+facets+camera
 light_below|--effects all|^effect *lights *2 *2 of the scene's 2$|shadow+lights2+facets
 light_below|--lights 2|^effect *lights *2 *as asked; 2 of the|shadow+lights2+facets
 mirror_behind||^effect *reflect *off left out: @:15 mirrors 128/256, .*; no ray|lights1+camera
@@ -38,24 +38,20 @@ all_behind||^effect *specular *off left out: @:29 has highlights|shadow+lights1+
 all_behind||^effect *sum *off left out: @:29 is shaded by|shadow+lights1+facets+camera
 all_behind||^effect *smooth *off left out: .* @:22; no ray|shadow+lights1+facets+camera
 triangle_behind||^left out the triangle @:15: no ray|lights1+camera
-clear_behind||^effect *clear *off left out: @:22 lets shadow rays pass; no ray|shadow+lights1+facets+camera+boxes
-shadow_behind||^effect *shadow *off left out: .*; nothing that this frame|lights1+facets+camera+boxes
-mirrors_behind|--depth 10|^left out depths beyond 3: no ray of this frame goes there|reflect3+lights1+camera
+clear_behind||^effect *clear *off left out: @:22 lets .*; no ray|shadow+lights1+facets+camera+boxes
+shadow_behind||^effect *shadow *off left out: .*; nothing|lights1+facets+camera+boxes
+mirrors_behind|--depth 10|^left out depths beyond 3: no ray|reflect3+lights1+camera
 mirrors_behind|--depth 4|^effect *camera *off|reflect4+lights1
 mirrors_behind|--depth 10 --reflect on|^effect *reflect *10 *as asked|reflect10+lights1
 END
 
-# What makes the grid coarse no longer does, and no longer chooses the profile.
-profile() {
-    "$s" build $here/light_below.nff --effects $1 -o "$TMP/m.sph" 2>/dev/null |
-        sed -n 's/^scene.*profile //p'
-}
-check "a light under the floor: reference with it" test "$(profile all)" = reference
-check "... fine without it" test "$(profile met)" = fine
+# What makes the grid coarse no longer does.
 grid() {
     "$s" build $here/$1.nff --profile standard --effects $2 -o "$TMP/m.sph" 2>/dev/null |
         sed -n 's/^grid *step \([^,]*\),.*/\1/p'
 }
+check "a light under the floor: a coarse grid with it" test "$(grid light_below all)" = 0.0078125
+check "... fine without it" test "$(grid light_below met)" = 0.00390625
 check "a ball far behind: a coarse grid with it" test "$(grid behind all)" = 0.000976562
 check "... fine without it" test "$(grid behind met)" = 0.000488281
 check "a floor keeps such a ball, which makes the grid wide" \

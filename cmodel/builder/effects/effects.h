@@ -84,7 +84,7 @@ void sph_find_facet_shadow(const struct sph_survey *survey, struct sph_effect_re
 /* INSIDE: a facet that is near a sphere. 1 with the reason appended to entry->why, or 0. */
 int sph_find_facet_inside(const struct sph_survey *survey, struct sph_effect_report *entry);
 
-/* Light registers. Appends to report->warning what had to be clamped. */
+/* Light registers. */
 void sph_emit_lights(const struct sph_survey *survey, const struct sph_lights *lights,
                      struct sph_machine *machine, struct sph_build_report *report);
 
@@ -98,7 +98,8 @@ struct sph_place sph_sphere_place(const struct sph_scene *scene, uint32_t index)
 struct sph_place sph_facet_place(const struct sph_survey *survey, uint32_t facet);
 struct sph_place sph_light_place(const struct sph_scene *scene, int index);
 
-/* lround(32768 * c) for c in [0, 65535/32768]; *clamped counts what was outside. */
-int32_t sph_u1_15(double c, int *clamped);
+/* The most that light of a colour may be; lround(32768 * c) for c limited to 0..that. */
+#define SPH_COLOUR_MOST (65535.0 / SPH_COLOUR_ONE)
+int32_t sph_u1_15(double c);
 
 #endif

@@ -56,7 +56,6 @@ void sph_choose_lights(const struct sph_survey *s, struct sph_lights *lights,
 
 void sph_emit_lights(const struct sph_survey *s, const struct sph_lights *lights,
                      struct sph_machine *machine, struct sph_build_report *report) {
-    int clamped = 0;
     machine->regs[SPH_REG_N_LIGHTS] = lights->count;
     for (int l = 0; l < lights->count; l++) {
         const struct sph_light *lamp = &s->scene->lights[lights->index[l]];
@@ -65,12 +64,8 @@ void sph_emit_lights(const struct sph_survey *s, const struct sph_lights *lights
         int shift = sph_grid_light(s->grid, lamp->pos, at);
         for (int i = 0; i < 3; i++) {
             regs[i] = at[i];
-            regs[SPH_REG_LIGHT0_R - SPH_REG_LIGHT0_X + i] = sph_u1_15(lamp->rgb[i], &clamped);
+            regs[SPH_REG_LIGHT0_R - SPH_REG_LIGHT0_X + i] = sph_u1_15(lamp->rgb[i]);
         }
         regs[SPH_REG_LIGHT0_R - SPH_REG_LIGHT0_X] |= shift << SPH_LIGHT_SHIFT_LSB;
     }
-    if (clamped)
-        sph_note(report->warning, sizeof report->warning,
-                 "%s: %d colours of lights are outside 0..1.99997 and were clamped\n",
-                 s->scene->path, clamped);
 }

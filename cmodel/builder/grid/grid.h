@@ -6,7 +6,6 @@
 
 #include "builder/grid/axes.h"
 #include "builder/grid/bound.h"
-#include "builder/grid/eye.h"
 #include "machine/profile.h"
 #include "scene/scene.h"
 
@@ -45,10 +44,12 @@ int sph_grid_fits(const struct sph_grid *grid, const struct sph_ball *ball);
 double sph_grid_off(const struct sph_grid *grid, struct sph_vec p);
 
 /* Quantises all spheres. -1 for a radius that rounds to nothing and for duplicates, with line
- * and the finer profile that helps. *smallest: the smallest radius in grid units, unrounded. */
+ * and the finer profile that helps. 1 if no finer one does: then lost[i] is SPH_READ_SPHERE_SMALL
+ * or SPH_READ_SPHERE_GRID for each such sphere, and stays 0 for the others. *smallest: the smallest
+ * radius in grid units, unrounded. */
 int sph_grid_spheres(const struct sph_grid *grid, const struct sph_scene *scene,
-                     const struct sph_profile *profile, struct sph_ball *balls, double *smallest,
-                     struct sph_error *err);
+                     const struct sph_profile *profile, struct sph_ball *balls, uint8_t *lost,
+                     double *smallest, struct sph_error *err);
 
 /* The profiles that are finer than one and whose grids hold the scene, the coarsest first. */
 struct sph_finer {

@@ -58,9 +58,9 @@ int sph_light_sound(const struct sph_grid *grid, struct sph_vec pos, const struc
 }
 
 int sph_light_black(const struct sph_light *light) {
-    int any = 0, clamped = 0;
+    int any = 0;
     for (int i = 0; i < 3; i++)
-        any |= sph_u1_15(light->rgb[i], &clamped);
+        any |= sph_u1_15(light->rgb[i]);
     return !any;
 }
 

@@ -1,4 +1,4 @@
-/* quantise.c - spheres on the grid: zero radii and duplicates refused; see grid.h
+/* quantise.c - spheres on the grid, and which of them are lost there; see grid.h
  * SPDX-License-Identifier: Apache-2.0
  */
 #include <math.h>
@@ -29,51 +29,52 @@ static int same(const struct sph_ball *a, const struct sph_ball *b) {
     return a->c[0] == b->c[0] && a->c[1] == b->c[1] && a->c[2] == b->c[2] && a->r == b->r;
 }
 
-/* The next finer profile that tells two spheres apart, or -1. */
-static int finer_apart(const struct sph_scene *scene, const struct sph_profile *profile, int axes,
-                       uint32_t i, uint32_t j) {
-    struct sph_finer finer;
-    sph_finer_of(scene, profile, axes, &finer);
-    for (int k = 0; k < finer.n; k++) {
-        struct sph_ball a = sph_grid_ball(&finer.grid[k], &scene->spheres[i]);
-        struct sph_ball b = sph_grid_ball(&finer.grid[k], &scene->spheres[j]);
-        if (!same(&a, &b)) return finer.profile[k];
+/* What spheres are looked at for. */
+struct task {
+    const struct sph_scene *scene;
+    const struct sph_profile *profile;
+    const struct sph_grid *grid;
+    struct sph_ball *balls;
+    uint8_t *lost;
+    struct sph_finer finer; /* n is -1 before it is asked for */
+};
+
+static const struct sph_finer *finer_of(struct task *t) {
+    if (t->finer.n < 0) sph_finer_of(t->scene, t->profile, t->grid->axes, &t->finer);
+    return &t->finer;
+}
+
+/* Spheres i and j are one on the grid: j is lost, or a finer profile tells them apart. */
+static int merge(struct task *t, uint32_t i, uint32_t j, struct sph_error *err) {
+    const struct sph_sphere *s = t->scene->spheres;
+    const struct sph_finer *finer = finer_of(t);
+    for (int k = 0; k < finer->n; k++) {
+        struct sph_ball a = sph_grid_ball(&finer->grid[k], &s[i]);
+        struct sph_ball b = sph_grid_ball(&finer->grid[k], &s[j]);
+        if (!same(&a, &b))
+            return sph_fail(err,
+                            "%s:%u: the grid of profile %s merges this sphere with that of line "
+                            "%u: profile %s separates them",
+                            t->scene->path, s[j].line, t->profile->name, s[i].line,
+                            sph_profiles[finer->profile[k]].name);
     }
-    return -1;
+    t->lost[j] = SPH_READ_SPHERE_GRID;
+    return 0;
 }
 
-static int fail_duplicate(const struct sph_scene *scene, const struct sph_profile *profile,
-                          int axes, uint32_t i, uint32_t j, struct sph_error *err) {
-    const struct sph_sphere *a = &scene->spheres[i], *b = &scene->spheres[j];
-    if (a->ctr.x == b->ctr.x && a->ctr.y == b->ctr.y && a->ctr.z == b->ctr.z && a->rad == b->rad)
-        return sph_fail(err, "%s:%u: the same sphere as in line %u: remove one", scene->path,
-                        b->line, a->line);
-    int finer = finer_apart(scene, profile, axes, i, j);
-    if (finer < 0)
-        return sph_fail(err,
-                        "%s:%u: the grid of profile %s merges this sphere with that of line %u, "
-                        "and no finer profile separates them",
-                        scene->path, b->line, profile->name, a->line);
-    return sph_fail(err,
-                    "%s:%u: the grid of profile %s merges this sphere with that of line %u: "
-                    "profile %s separates them",
-                    scene->path, b->line, profile->name, a->line, sph_profiles[finer].name);
-}
-
-static int fail_zero(const struct sph_scene *scene, const struct sph_profile *profile, uint32_t i,
-                     const struct sph_grid *grid, struct sph_error *err) {
-    const struct sph_sphere *s = &scene->spheres[i];
-    int finer = sph_grid_finer(scene, profile, grid->axes, s->rad, 0.5);
-    if (finer < 0)
-        return sph_fail(err,
-                        "%s:%u: radius %g is nothing on the grid of profile %s (step %g), and no "
-                        "finer profile would do",
-                        scene->path, s->line, s->rad, profile->name, grid->step);
-    return sph_fail(err,
-                    "%s:%u: radius %g is nothing on the grid of profile %s (step %g): profile %s "
-                    "would do",
-                    scene->path, s->line, s->rad, profile->name, grid->step,
-                    sph_profiles[finer].name);
+/* Sphere i is nothing on the grid: it is lost, or a finer profile has it. */
+static int vanish(struct task *t, uint32_t i, struct sph_error *err) {
+    const struct sph_sphere *s = &t->scene->spheres[i];
+    const struct sph_finer *finer = finer_of(t);
+    for (int k = 0; k < finer->n; k++)
+        if (s->rad / finer->grid[k].step >= 0.5)
+            return sph_fail(err,
+                            "%s:%u: radius %g is nothing on the grid of profile %s (step %g): "
+                            "profile %s would do",
+                            t->scene->path, s->line, s->rad, t->profile->name, t->grid->step,
+                            sph_profiles[finer->profile[k]].name);
+    t->lost[i] = SPH_READ_SPHERE_SMALL;
+    return 0;
 }
 
 /* Mixes a ball's numbers (splitmix64 finaliser per word). */
@@ -87,33 +88,37 @@ static uint64_t hash(const struct sph_ball *b) {
 }
 
 /* Looks for equal balls with an open hash table. */
-static int duplicates(const struct sph_scene *scene, const struct sph_profile *profile, int axes,
-                      const struct sph_ball *balls, struct sph_error *err) {
+static int duplicates(struct task *t, struct sph_error *err) {
+    uint32_t n = t->scene->n_spheres;
     uint64_t size = 4;
-    while (size < 2ull * scene->n_spheres)
+    while (size < 2ull * n)
         size *= 2;
     uint32_t *table = calloc(size, sizeof *table); /* index + 1 */
-    if (!table) return sph_fail(err, "out of memory for %u spheres", scene->n_spheres);
+    if (!table) return sph_fail(err, "out of memory for %u spheres", n);
     int result = 0;
-    for (uint32_t i = 0; i < scene->n_spheres && !result; i++) {
-        uint64_t at = hash(&balls[i]) & (size - 1);
-        for (; table[at] && !result; at = (at + 1) & (size - 1))
-            if (same(&balls[table[at] - 1], &balls[i]))
-                result = fail_duplicate(scene, profile, axes, table[at] - 1, i, err);
-        table[at] = i + 1;
+    for (uint32_t i = 0; i < n && !result; i++) {
+        uint64_t at = hash(&t->balls[i]) & (size - 1);
+        for (; table[at] && !t->lost[i] && !result; at = (at + 1) & (size - 1))
+            if (same(&t->balls[table[at] - 1], &t->balls[i]))
+                result = merge(t, table[at] - 1, i, err);
+        if (!t->lost[i]) table[at] = i + 1;
     }
     free(table);
     return result;
 }
 
 int sph_grid_spheres(const struct sph_grid *grid, const struct sph_scene *scene,
-                     const struct sph_profile *profile, struct sph_ball *balls, double *smallest,
-                     struct sph_error *err) {
+                     const struct sph_profile *profile, struct sph_ball *balls, uint8_t *lost,
+                     double *smallest, struct sph_error *err) {
+    struct task t = {scene, profile, grid, balls, lost, {.n = -1}};
     *smallest = scene->n_spheres ? INFINITY : 0;
     for (uint32_t i = 0; i < scene->n_spheres; i++) {
         balls[i] = sph_grid_ball(grid, &scene->spheres[i]);
-        if (balls[i].r < 1) return fail_zero(scene, profile, i, grid, err);
+        if (balls[i].r < 1 && vanish(&t, i, err)) return -1;
         *smallest = fmin(*smallest, scene->spheres[i].rad / grid->step);
     }
-    return duplicates(scene, profile, grid->axes, balls, err);
+    if (duplicates(&t, err)) return -1;
+    for (uint32_t i = 0; i < scene->n_spheres; i++)
+        if (lost[i]) return 1;
+    return 0;
 }

@@ -5,7 +5,7 @@
  * the difference of two 30. Roots are taken upwards, which can only turn no to yes.
  */
 #include "builder/grid/near.h"
-#include "builder/prim/facet.h"
+#include "builder/prim/build.h"
 
 typedef __int128 wide;
 

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "builder/prim/facet.h"
+#include "builder/prim/build.h"
 
 /* A direction in the camera's axes, its largest component as large as 24 bits allow. */
 static void plane_normal(const struct sph_grid *grid, struct sph_vec n, int32_t out[3]) {

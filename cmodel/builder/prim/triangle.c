@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "builder/prim/facet.h"
+#include "builder/prim/build.h"
 #include "prim/facet.h"
 
 /* A ball around three points: the smallest, up to the rounding of its centre. */

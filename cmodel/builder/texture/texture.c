@@ -86,7 +86,7 @@ struct emit {
 };
 
 /* Line of a record equal to the one just written behind all others. */
-static uint32_t keep(struct emit *e) {
+static uint32_t record_line(struct emit *e) {
     const uint32_t *map = e->maps + (size_t)e->n_maps * SPH_LINE_WORDS;
     uint64_t hash = SPH_FNV_START;
     for (int i = 0; i < SPH_LINE_WORDS; i++)
@@ -197,13 +197,13 @@ static int emit(struct emit *e, uint32_t n, struct sph_error *err) {
         memset(map, 0, SPH_LINE_WORDS * sizeof *map);
         if (put_map(e, &prim, texture, map, err)) return -1;
         sph_field_set(sph_line(e->m, (uint32_t)e->m->regs[SPH_REG_PRIM_BASE] + id),
-                      SPH_PRIM_TEX_LSB, SPH_PRIM_TEX_BITS, keep(e));
+                      SPH_PRIM_TEX_LSB, SPH_PRIM_TEX_BITS, record_line(e));
     }
     return put_all(e, err);
 }
 
 /* What the report says of the effect. */
-static void tell(const struct emit *e, uint32_t used, struct sph_effect_report *entry) {
+static void report_textures(const struct emit *e, uint32_t used, struct sph_effect_report *entry) {
     uint32_t images = 0, lines = e->m->lines - e->first - e->n_maps;
     for (uint32_t t = 0; t < e->job.scene->n_textures; t++) {
         uint32_t seen = !e->line[t];
@@ -227,7 +227,7 @@ static int run(struct emit *e, uint32_t n, uint32_t used, struct sph_effect_repo
     int rc = e->maps && e->table && e->line
                  ? emit(e, n, err)
                  : sph_fail(err, "%s: out of memory for %u mappings", e->job.scene->path, used);
-    if (!rc) tell(e, used, entry);
+    if (!rc) report_textures(e, used, entry);
     free(e->maps);
     free(e->table);
     free(e->line);

@@ -1,0 +1,141 @@
+/* kind.c - see kind.h
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include "common/kind.h"
+
+#include <stddef.h>
+#include <string.h>
+#include <strings.h>
+
+#include "common/file.h"
+
+enum { HEAD = 4096 }; /* bytes that are looked at */
+
+struct look {
+    enum sph_file_kind kind;
+    const char *text;
+};
+
+/* First bytes that only one kind has. */
+static const struct {
+    const char *bytes;
+    size_t n, at;
+    struct look look;
+} starts[] = {
+    {"SPHAERA", 7, 0, {SPH_FILE_MACHINE, "a machine file"}},
+    {"\x89PNG", 4, 0, {SPH_FILE_IMAGE, "a PNG image"}},
+    {"\xff\xd8\xff", 3, 0, {SPH_FILE_IMAGE, "a JPEG image"}},
+    {"GIF8", 4, 0, {SPH_FILE_IMAGE, "a GIF image"}},
+    {"WEBP", 4, 8, {SPH_FILE_IMAGE, "a WebP image"}},
+    {"v/1\x01", 4, 0, {SPH_FILE_IMAGE, "an OpenEXR image"}},
+    {"II*\0", 4, 0, {SPH_FILE_IMAGE, "a TIFF image"}},
+    {"MM\0*", 4, 0, {SPH_FILE_IMAGE, "a TIFF image"}},
+    {"#?RADIANCE", 10, 0, {SPH_FILE_IMAGE, "a Radiance image"}},
+    {"BM", 2, 0, {SPH_FILE_IMAGE, "a BMP image"}},
+    {"P5", 2, 0, {SPH_FILE_IMAGE, "a PGM image"}},
+    {"P6", 2, 0, {SPH_FILE_IMAGE, "a PPM image"}},
+    {"glTF", 4, 0, {SPH_FILE_MESH, "a binary glTF scene"}},
+    {"ply", 3, 0, {SPH_FILE_MESH, "a PLY mesh"}},
+    {"\x1f\x8b", 2, 0, {SPH_FILE_OTHER, "a file packed by gzip: unpack it first"}},
+    {"PK\x03\x04", 4, 0, {SPH_FILE_OTHER, "a ZIP archive: unpack it first"}},
+    {"BLENDER", 7, 0, {SPH_FILE_OTHER, "a Blender file: export it as glTF"}},
+    {"%PDF", 4, 0, {SPH_FILE_OTHER, "a PDF document"}},
+    {"\x7f"
+     "ELF",
+     4,
+     0,
+     {SPH_FILE_OTHER, "a program"}},
+    {"<?xml", 5, 0, {SPH_FILE_OTHER, "an XML file"}},
+};
+
+/* Endings of names, where the content says nothing else. */
+static const struct {
+    const char *ending;
+    struct look look;
+} endings[] = {
+    {"sph", {SPH_FILE_MACHINE, "a machine file"}},
+    {"nff", {SPH_FILE_NFF, "an NFF scene"}},
+    {"aff", {SPH_FILE_AFF, "an AFF scene"}},
+    {"pdb", {SPH_FILE_PDB, "a PDB molecule"}},
+    {"ent", {SPH_FILE_PDB, "a PDB molecule"}},
+    {"cif", {SPH_FILE_CIF, "a CIF molecule"}},
+    {"mmcif", {SPH_FILE_CIF, "a CIF molecule"}},
+    {"xyz", {SPH_FILE_XYZ, "a list of atoms (XYZ)"}},
+    {"csv", {SPH_FILE_CSV, "a table of points"}},
+    {"tsv", {SPH_FILE_CSV, "a table of points"}},
+    {"obj", {SPH_FILE_MESH, "a Wavefront OBJ mesh"}},
+    {"stl", {SPH_FILE_MESH, "an STL mesh"}},
+    {"ply", {SPH_FILE_MESH, "a PLY mesh"}},
+    {"gltf", {SPH_FILE_MESH, "a glTF scene"}},
+    {"glb", {SPH_FILE_MESH, "a binary glTF scene"}},
+    {"mtl", {SPH_FILE_OTHER, "a material library of OBJ meshes: give the .obj file"}},
+    {"pov", {SPH_FILE_OTHER, "a POV-Ray scene"}},
+    {"tga", {SPH_FILE_IMAGE, "a Targa image"}},
+};
+
+/* Whether a line of the text starts with these words. */
+static int has_line(const char *text, const char *start) {
+    size_t n = strlen(start);
+    for (const char *at = text; at; at = strpbrk(at, "\r\n")) {
+        at += strspn(at, "\r\n");
+        if (!strncmp(at, start, n)) return 1;
+    }
+    return 0;
+}
+
+/* Whether a line of the text is this word and a number. */
+static int has_number(const char *text, const char *word) {
+    size_t n = strlen(word);
+    for (const char *at = text; at; at = strpbrk(at, "\r\n")) {
+        at += strspn(at, "\r\n");
+        const char *after = at + n + (strncmp(at, word, n) ? 0 : strspn(at + n, " \t"));
+        if (!strncmp(at, word, n) && after > at + n && strchr("+-.0123456789", *after) && *after)
+            return 1;
+    }
+    return 0;
+}
+
+/* What a text says by its words; the kind that is asked for last is the least certain. */
+static struct look by_words(const char *text) {
+    int vertex = has_number(text, "v");
+    if (!vertex && (has_line(text, "v\n") || has_line(text, "v\r") || has_line(text, "v ")))
+        return (struct look){SPH_FILE_NFF, "an NFF scene"};
+    if (has_line(text, "data_") && strstr(text, "\n_"))
+        return (struct look){SPH_FILE_CIF, "a CIF molecule"};
+    if (has_line(text, "ATOM  ") || has_line(text, "HETATM") || has_line(text, "HEADER    "))
+        return (struct look){SPH_FILE_PDB, "a PDB molecule"};
+    if (vertex && (has_line(text, "f ") || has_line(text, "vn ") || has_line(text, "vt ") ||
+                   has_line(text, "o ")))
+        return (struct look){SPH_FILE_MESH, "a Wavefront OBJ mesh"};
+    if (has_line(text, "solid") && strstr(text, "facet"))
+        return (struct look){SPH_FILE_MESH, "an STL mesh"};
+    if (text[0] == '{' && strstr(text, "\"asset\""))
+        return (struct look){SPH_FILE_MESH, "a glTF scene"};
+    return (struct look){SPH_FILE_NFF, NULL};
+}
+
+enum sph_file_kind sph_file_kind(const char *path, const char **looks) {
+    char head[HEAD + 1] = "";
+    const char *slash = strrchr(path, '/'), *dot = strrchr(slash ? slash : path, '.'), *none;
+    struct look look = {SPH_FILE_NFF, NULL};
+    FILE *file = sph_input_open(path, SPH_INPUT_ANY, NULL);
+    size_t n = file ? fread(head, 1, HEAD, file) : 0;
+    if (file) fclose(file);
+    if (!looks) looks = &none;
+    for (size_t i = 0; i < sizeof starts / sizeof *starts; i++)
+        if (n >= starts[i].at + starts[i].n &&
+            !memcmp(head + starts[i].at, starts[i].bytes, starts[i].n)) {
+            *looks = starts[i].look.text;
+            return starts[i].look.kind;
+        }
+    int binary = memchr(head, 0, n) != NULL;
+    if (!binary) look = by_words(head);
+    for (size_t i = 0; dot && !look.text && i < sizeof endings / sizeof *endings; i++)
+        if (!strcasecmp(dot + 1, endings[i].ending)) look = endings[i].look;
+    /* NFF and AFF share their words */
+    if (dot && look.kind == SPH_FILE_NFF && !strcasecmp(dot + 1, "aff"))
+        look = (struct look){SPH_FILE_AFF, "an AFF scene"};
+    if (!look.text) look.text = binary ? "binary, of no kind that is known here" : "a text";
+    *looks = look.text;
+    return look.kind;
+}

@@ -1,0 +1,52 @@
+/* choose.h - which widths a scene asks for: its picture drawn in some, against double precision
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * The cheapest profile that keeps what is asked for is taken. How far points are moved is bounded
+ * before anything is drawn, dB are measured where sph_judge_cannot() has nothing against it. What
+ * is drawn is counted in pixels, so that neither clock nor threads change the choice:
+ * docs/design/builder.md.
+ */
+#ifndef SPH_TRIAL_CHOOSE_H
+#define SPH_TRIAL_CHOOSE_H
+
+#include "trial/judge.h"
+
+struct sph_profile_choice {
+    int taken;                /* of `of`: a profile, or SPH_PROFILES: widths by hand */
+    int kept;                 /* it keeps what is asked for */
+    const char *not_measured; /* NULL, or why not: of sph_judge_cannot() */
+    struct sph_known_picture of[SPH_PROFILES + 1];
+};
+
+/* options->profile becomes the cheapest that keeps the bound, or the finest; options->widths must
+ * be NULL. 0, or -1 with a message as sph_estimate(). */
+int sph_choose(const struct sph_scene *scene, struct sph_build_options *options,
+               const struct sph_error_bound *bound, struct sph_profile_choice *choice,
+               struct sph_error *err);
+
+/* Why it was taken, one line without its end. */
+void sph_choose_why(const struct sph_profile_choice *choice, const struct sph_error_bound *bound,
+                    char *text, size_t size);
+
+/* sph_choose() if choose is set, then sph_build(); a profile that cannot hold the scene gives way
+ * to the next. 0, or -1 with a message. */
+int sph_build_chosen(const struct sph_scene *scene, struct sph_build_options *options, int choose,
+                     const struct sph_error_bound *bound, struct sph_profile_choice *choice,
+                     struct sph_machine *machine, struct sph_build_report *report,
+                     struct sph_error *err);
+
+/* Appends to report->warning if the bound is missed: by how much, which profile would do, or what
+ * would help (help.h). Widths that were not chosen are estimated first, and measured if that misses
+ * it. 0, or -1 with a message as sph_estimate(). */
+int sph_choose_tell(const struct sph_scene *scene, const struct sph_build_options *options,
+                    int choose, const struct sph_error_bound *bound,
+                    struct sph_profile_choice *choice, struct sph_build_report *report,
+                    struct sph_error *err);
+
+/* Both: what the tool builds with. */
+int sph_build_kept(const struct sph_scene *scene, struct sph_build_options *options, int choose,
+                   const struct sph_error_bound *bound, struct sph_profile_choice *choice,
+                   struct sph_machine *machine, struct sph_build_report *report,
+                   struct sph_error *err);
+
+#endif

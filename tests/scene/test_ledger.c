@@ -1,0 +1,166 @@
+/* test_ledger.c - every record of a file ends in the ledger: used, used otherwise, or left out
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * One small file for each kind, which is found with its line, and which `strict` refuses with file
+ * and line if it is not used as it stands.
+ */
+#include "scene_files.h"
+
+#include "builder/build.h"
+#include "builder/warn.h"
+#include "texture/lookup.h"
+
+#define SPH "s 0 0 0 1\n"
+#define MATT "f 1 0 0 1 0 0 0 1\n"
+#define GLASS "f 1 1 1 .1 .1 50 .7 1.5\n"
+#define ATOM(serial, name, place, residue, x, element)                                             \
+    "ATOM  " serial " " name place residue " A   1    " x                                          \
+    "   0.000   0.000  1.00  0.00          " element "\n"
+#define CA ATOM("    1", " CA ", " ", "ALA", "   0.000", " C")
+#define LOOP                                                                                       \
+    "data_x\nloop_\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n"                  \
+    "_atom_site.type_symbol\n_atom_site.pdbx_PDB_model_num\n"
+
+enum { READ, BUILD, IMAGES };
+
+static const struct row {
+    enum sph_read kind;
+    const char *name; /* of the file */
+    const char *text;
+    uint32_t line;
+    int how; /* who notes it: the reader, build, or who reads images */
+} rows[] = {
+    {SPH_READ_CAMERA, "a.nff", CAM, 1, READ},
+    {SPH_READ_LIGHT, "a.nff", CAM LIGHT, 8, READ},
+    {SPH_READ_COLOUR, "a.nff", CAM "b 0 0 0\n", 8, READ},
+    {SPH_READ_MATERIAL, "a.nff", CAM MATT, 8, READ},
+    {SPH_READ_BLEND, "a.nff", CAM "shading blend\n" GLASS, 9, READ},
+    {SPH_READ_WORD, "a.nff", CAM "shading blend\n", 8, READ},
+    {SPH_READ_HIDDEN, "a.aff", CAM "k x { visibility 1 0 0 }\n" MATT "x x {\n" SPH "}\na 0 1 2\n",
+     11, READ},
+    {SPH_READ_DETAIL, "a.aff", CAM "i 3 other.nff\n", 8, READ},
+    {SPH_READ_SPHERE, "a.nff", CAM MATT SPH, 9, READ},
+    {SPH_READ_POLYGON, "a.nff", CAM MATT "p 3 0 0 0 1 0 0 0 1 0\n", 9, READ},
+    {SPH_READ_TRIANGLE, "a.nff", CAM MATT "tt none 0 0 0 0 0 1 0 0 0 0 0 1 0 0 0\n", 9, READ},
+    {SPH_READ_CONE, "a.nff", CAM MATT "c 0 0 0 1 0 0 1 1\n", 9, READ},
+    {SPH_READ_PLANE, "a.nff", CAM MATT "plane 0 0 0 0 1 0\n", 9, READ},
+    {SPH_READ_MESH, "a.aff", CAM MATT "m vertices 3 0 0 0 1 0 0 0 1 0 triangles 1 0 1 2\n", 9,
+     READ},
+    {SPH_READ_ATOM, "a.pdb", "REMARK\n" CA, 2, READ},
+    {SPH_READ_ATOM, "a.cif", LOOP "0 0 0 C 1\n# end\n", 8, READ},
+    {SPH_READ_ATOM, "a.xyz", "2\nwords\nC 0 0 0\nO 1 0 0\n", 3, READ},
+    {SPH_READ_SPHERE, "a.csv", "x,y,z,r\n1,2,3,4\n", 2, READ},
+    {SPH_READ_NO_ATOM, "a.pdb", "REMARK\n" CA, 1, READ},
+    {SPH_READ_IMAGE, "a.nff", CAM MATT "texture a.png 1 1 linear\n" SPH, 9, IMAGES},
+    {SPH_READ_SHINE_NONE, "a.nff", CAM "f 1 1 1 .5 .5 0 0 1\n", 8, READ},
+    {SPH_READ_SHINE_LIMITED, "a.nff", CAM "f 1 1 1 .5 .5 999 0 1\n", 8, READ},
+    {SPH_READ_INDEX_LIMITED, "a.nff", CAM "f 1 1 1 .5 .5 9 .5 5\n", 8, READ},
+    {SPH_READ_FM_MEAN, "a.nff", CAM "fm 0 0 0 1 1 1 0 0 0 1 0 1\n", 8, READ},
+    {SPH_READ_LIGHT_LIMITED, "a.nff", CAM "l 0 0 0 3 1 1\n", 8, BUILD},
+    {SPH_READ_BENT, "a.nff", CAM MATT "p 4 0 0 0 1 0 0 1 1 .1 0 1 0\n", 9, READ},
+    {SPH_READ_GLASS_MEETS, "a.nff", CAM GLASS SPH "s 1 0 0 1\n", 10, READ},
+    {SPH_READ_SRGB, "a.nff", CAM MATT "texture a.png 1 1\n" SPH, 9, IMAGES},
+    {SPH_READ_ALTERNATE, "a.pdb",
+     ATOM("    1", " CA ", "B", "ALA", "   0.000", " C") /* no A, and of two the first */
+     ATOM("    2", " CA ", "C", "ALA", "   1.000", " C"),
+     1, READ},
+    {SPH_READ_OTHER_PLACE, "a.pdb",
+     ATOM("    1", " CA ", "B", "ALA", "   0.000", " C")
+         ATOM("    2", " CA ", "C", "ALA", "   1.000", " C"),
+     2, READ},
+    {SPH_READ_ELEMENT, "a.pdb", CA ATOM("    2", " CB ", " ", "ALA", "   5.000", "  "), 2, READ},
+    {SPH_READ_SHIFTED, "a.pdb", ATOM("100000", " CA ", " ", "ALA", "   0.000", " C"), 1, READ},
+    {SPH_READ_NO_AREA, "a.nff", CAM MATT "p 3 0 0 0 1 1 1 2 2 2\n", 9, READ},
+    {SPH_READ_NO_AREA_GRID, "a.nff", CAM MATT "p 3 0 0 0 1 0 0 0 1 0\np 3 0 0 0 1e-9 0 0 0 1 0\n",
+     10, BUILD},
+    {SPH_READ_TRIANGLE_TWICE, "a.nff", CAM MATT "p 3 0 0 0 1 0 0 0 1 0\np 3 0 0 0 1 0 0 0 1 0\n",
+     10, BUILD},
+    {SPH_READ_TRIANGLE_GRID, "a.nff", CAM MATT "p 3 0 0 0 1 0 0 0 1 0\np 3 0 0 0 1 0 0 0 1 1e-9\n",
+     10, BUILD},
+    {SPH_READ_SPHERE_TWICE, "a.nff", CAM MATT SPH SPH, 10, READ},
+    {SPH_READ_SPHERE_GRID, "a.nff", CAM MATT SPH "s 0 0 1e-9 1\n", 10, BUILD},
+    {SPH_READ_SPHERE_SMALL, "a.nff", CAM MATT SPH "s 2 0 0 1e-9\n", 10, BUILD},
+    {SPH_READ_NO_SIZE, "a.aff", CAM MATT "xs 0 0 0 0 1 0 0 0 0 0 {\n" SPH "}\n", 10, READ},
+    {SPH_READ_UNSUPPORTED, "a.nff", CAM MATT "pb 3 1 2\n", 9, READ},
+    {SPH_READ_WATER, "a.pdb", CA ATOM("    2", " OH2", " ", "TIP", "   5.000", " O"), 2, READ},
+    {SPH_READ_SAME_PLACE, "a.pdb", CA ATOM("    2", " CB ", " ", "ALA", "   0.000", " C"), 2, READ},
+    {SPH_READ_NO_ELEMENT, "a.pdb", CA ATOM("    2", " EP ", " ", "LIG", "   5.000", "  "), 2, READ},
+    {SPH_READ_UNKNOWN, "a.pdb", CA ATOM("    2", " ?? ", " ", "LIG", "   5.000", "  "), 2, READ},
+    {SPH_READ_MODEL, "a.pdb", CA "END   \n" CA, 3, READ},
+    {SPH_READ_MODEL, "a.cif", LOOP "0 0 0 C 1\n0 0 9 C 2\n", 9, READ},
+};
+enum { ROWS = sizeof rows / sizeof *rows };
+
+/* The ledger of a file, and what is said of it under `strict`, if anything. */
+static struct sph_ledger ledger_of(const struct row *row, int strict, struct sph_error *err) {
+    static struct sph_build_report report;
+    struct sph_build_options o = SPH_BUILD_DEFAULT;
+    const struct sph_read_options how = {.skip_unsupported = 1, .strict = strict};
+    struct sph_scene scene;
+    snprintf(file_name, sizeof file_name, "%s/%s", folder, row->name);
+    put_file(row->text, strlen(row->text));
+    int rc = sph_scene_read(file_name, &how, &scene, err);
+    unlink(file_name);
+    if (rc) return (struct sph_ledger){0};
+    struct sph_ledger ledger = scene.ledger;
+    if (row->how == IMAGES) {
+        struct sph_mip mip = {.decoded = row->kind == SPH_READ_SRGB};
+        sph_note_images(&scene, &mip, &ledger, err);
+    }
+    if (row->how == BUILD) {
+        struct sph_machine m;
+        o.width = 16, o.height = 9, o.profile = SPH_REFERENCE;
+        if (!sph_build(&scene, &o, &m, &report, err)) sph_machine_free(&m);
+        ledger = report.ledger;
+    }
+    sph_scene_free(&scene);
+    return ledger;
+}
+
+static void test_rows(void **state) {
+    (void)state;
+    int found[SPH_READS] = {0};
+    for (int i = 0; i < ROWS; i++) {
+        const struct row *r = &rows[i];
+        struct sph_error err = {""}, refused = {""};
+        char start[200];
+        struct sph_ledger ledger = ledger_of(r, 0, &err);
+        if (err.text[0]) fail_msg("row %d (%s): %s", i, sph_read_name(r->kind), err.text);
+        if (!ledger.row[r->kind].n || ledger.row[r->kind].line != r->line)
+            fail_msg("row %d (%s): %llu times, line %u", i, sph_read_name(r->kind),
+                     (unsigned long long)ledger.row[r->kind].n, ledger.row[r->kind].line);
+        found[r->kind] = 1;
+        if (sph_read_end(r->kind) == SPH_USED) continue;
+        ledger_of(r, 1, &refused);
+        snprintf(start, sizeof start, "%s:", file_name);
+        if (strncmp(refused.text, start, strlen(start)) != 0)
+            fail_msg("row %d (%s): strict says \"%s\"", i, sph_read_name(r->kind), refused.text);
+    }
+    for (int kind = 0; kind < SPH_READS; kind++)
+        if (!found[kind]) fail_msg("no file has a \"%s\"", sph_read_name((enum sph_read)kind));
+}
+
+/* What is printed: from an end on, the first of each kind, and how many. */
+static void test_print(void **state) {
+    (void)state;
+    struct sph_ledger ledger = {0};
+    struct sph_error err = {""};
+    char text[400] = "";
+    FILE *to = fmemopen(text, sizeof text, "w");
+    sph_ledger_note(&ledger, SPH_READ_SPHERE, "a.nff", 7, &err);
+    sph_ledger_note(&ledger, SPH_READ_NO_AREA, "a.nff", 9, &err);
+    sph_ledger_note(&ledger, SPH_READ_NO_AREA, "a.nff", 8, &err);
+    sph_ledger_add(&ledger, SPH_READ_GLASS_MEETS, 1, "a.nff", 5, 3, &err);
+    sph_ledger_print(&ledger, SPH_USED_OTHERWISE, "> ", to);
+    fclose(to);
+    assert_string_equal(text, "> a.nff:5: used otherwise: glass that cuts the surface of other "
+                              "glass: drawn as if each stood in air, with that of line 3, 1 time\n"
+                              "> a.nff:9: left out: triangle or polygon without area, 2 times\n");
+    assert_int_equal(sph_ledger_left_out(&ledger), 2);
+    assert_int_equal(err.text[0], 0);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_rows), cmocka_unit_test(test_print)};
+    return cmocka_run_group_tests_name("ledger", tests, make_folder, remove_folder);
+}
