@@ -25,13 +25,13 @@ module f_box_axis #(
     localparam signed [X-1:0] BEYOND = 1 << `RT_BIH_T, FRAME_T = 1 << (XW + 7);
     wire signed [SW-1:0] enter, leave;
     wire                 fine, flat, open, back;
-    wire [XW-1:0]        cross;
+    wire [XW-1:0]        across;
     wire [XW:0]          more;
     rt_box_axis #(.W(W)) u_dut (
         .clk(clk), .in_org_i(org), .in_step_i(step), .in_place_i(place), .in_pace_i(pace),
         .out_enter_o(enter), .out_leave_o(leave), .out_fine_o(fine),
         .out_flat_o(flat), .out_open_o(open),
-        .step_o(cross), .more_o(more), .back_o(back)
+        .step_o(across), .more_o(more), .back_o(back)
     );
     (* hierconn *) wire [PW-1:0]        \u_dut.s4_product_q ;
     (* hierconn *) wire [6:0]           \u_dut.s4_shift_q ;
@@ -83,7 +83,7 @@ module f_box_axis #(
         if (age_q == 4)
             product_is_q <= \u_dut.s4_product_q == product && \u_dut.s4_shift_q == shift;
         if (age_q == 6) back_is_q <= back == m_back;
-        if (age_q == 7) step_is_q <= cross == m_cross && more == m_cross + 2;
+        if (age_q == 7) step_is_q <= across == m_cross && more == m_cross + 2;
         if (age_q == 7) at_is_q   <= dut_at == at;
     end
     always @* begin

@@ -280,7 +280,7 @@ static int build_rest(const struct sph_scene *scene, const struct sph_build_opti
                                  scene->spheres[i].line, err);
             continue;
         }
-        if (o.unmet) prims[rest.n_spheres] = o.unmet->prims[i];
+        if (o.unmet && prims) prims[rest.n_spheres] = o.unmet->prims[i];
         was[rest.n_spheres] = i;
         rest.spheres[rest.n_spheres++] = scene->spheres[i];
     }

@@ -33,13 +33,15 @@ module rt_spans (
     reg         bottom_q, line_end;    // row_q is that, or the last of a line, too
     wire        again = start_i || (rsp_valid_i && bottom_q);
     wire [13:0] row_next = again ? win_y0_i : row_q + 14'd1;
+    wire [13:0] end_i    = win_y1_i - 14'd1;   // of start_i: end_q is of the clock before
+    wire        bottom   = start_i ? win_y0_i == end_i : row_next == end_q;
     assign rsp_ready_o = line_end;
     always @(posedge clk) begin
-        end_q <= win_y1_i - 14'd1;
+        end_q <= end_i;
         if (again || rsp_valid_i) begin
             row_q    <= row_next;
-            bottom_q <= row_next == end_q;
-            line_end <= row_next == end_q || &row_next[2:0];
+            bottom_q <= bottom;
+            line_end <= bottom || &row_next[2:0];
         end
     end
 

@@ -25,7 +25,7 @@ class Noise {
         bench::Random random(1);
         for (std::vector<uint32_t> &t : texels) {
             int w = (int)random.between(5, 60), h = (int)random.between(5, 60);
-            struct sph_mip mip = {w, h, sph_mip_levels(w, h), nullptr};
+            struct sph_mip mip = {w, h, sph_mip_levels(w, h), 0, nullptr};
             t.resize(sph_mip_at(&mip, mip.levels));
             for (uint32_t &texel : t)
                 texel = (uint32_t)random.next();

@@ -116,7 +116,7 @@ sed -e '/^\/\* v \/ 2^shift/,/^static int validate/{/^static int validate/!d}' \
 sed 's/sph_prim_build_triangle/sph_prim_build_wedge/' cmodel/builder/prim/triangle.c \
     >cmodel/builder/prim/wedge.c
 sed -e 's/SPH_TRIANGLE/SPH_WEDGE/; s/sph_prim_scene_triangle/sph_prim_scene_wedge/' \
-    -e '/{"p", take_p}/{N;s/{"p", take_p}.*/{"wedge", take_p}, {NULL, NULL}};/}' \
+    -e '/{"p", take_p,/{N;N;s/{"p", take_p.*/{"wedge", take_p, SPH_READ_POLYGON}, {0}};/}' \
     -e 's/"p %u/"wedge %u/' \
     cmodel/scene/prim_triangle.c >cmodel/scene/prim_wedge.c
 sed -i 's/\[SPH_TRIANGLE\] = \({[^}]*}\),/[SPH_TRIANGLE] = \1, [SPH_WEDGE] = \1,/' \
