@@ -7,12 +7,15 @@
 # Options of `sphaera build`. The tool refuses by name what does not belong together.
 GIVEN_TREE    := $(if $(filter-out file,$(origin TREE)),$(TREE))
 BUILD_PROFILE := $(if $(filter all,$(PROFILE)),reference,$(PROFILE))
+# A core of one's own words that has no `camera` takes machines alone that lack nothing.
+WHOLE         := $(filter-out auto all all+% $(if $(findstring camera,$(EFFECTS:all-%=)),%),$(EFFECTS))
 BUILD_OPTIONS := --profile $(BUILD_PROFILE) --depth $(DEPTH) --background $(BACKGROUND) \
                  --traverse $(TRAVERSE) \
                  $(if $(filter bvh4,$(ACCEL)),--accel bvh4 --tree $(TREE),--accel $(ACCEL) \
                      $(if $(GIVEN_TREE),--tree $(GIVEN_TREE))) \
                  $(if $(MAX_PRIMS),--max-prims $(MAX_PRIMS)) \
                  $(if $(MAX_TREE_DEPTH),--max-tree-depth $(MAX_TREE_DEPTH)) \
+                 $(if $(WHOLE),--effects all) \
                  $(if $(SIZE),--size $(SIZE)) $(if $(ERROR),--error $(ERROR)) \
                  $(if $(filter-out 1,$(SAMPLES)),--samples $(SAMPLES)) \
                  $(if $(LEVELS),--bg-levels $(LEVELS)) $(if $(AT),--at $(AT)) $(BUILD_MORE)

@@ -45,8 +45,8 @@ leaf=$(find rtl -name rt_leaf.v)
 stale "a model" $leaf 's/Model: sph_leaf_test()/Model: sph_leaf_key_bits()/' \
     '^+- Model: `sph_leaf_key_bits()`'
 stale "a register" $def 's/^reg    98 /reg    103 /' '^+- 103 `BG_COUNT`'
-stale "an effect" $def 's/^effect sum .*/&\neffect haze bit=14 : fog/' \
-    '^+- `haze`, `HAZE` = 1 (0..1, bit 14): fog'
+stale "an effect" $def 's/^effect sum .*/&\neffect haze bit=15 : fog/' \
+    '^+- `haze`, `HAZE` = 1 (0..1, bit 15): fog'
 stale "a counter" $def 's/^counter 21 POWERS  *both/counter 21 POWERS rtl/' \
     '^+- 21.. `POWERS`'
 python3 -m lab pages --check >all 2>&1
