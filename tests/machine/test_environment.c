@@ -56,7 +56,10 @@ static void test_threads(void **unused) {
                                  : sphaera_scene_read(cases[i].path, 0, &s, &e);
         if (rc) fail_msg("%s", e.text);
         started = 0;
-        if (sphaera_build(s, NULL, &m, &e)) fail_msg("%s", e.text);
+        sphaera_build_options o;
+        sphaera_build_init(&o);
+        o.profile = "standard"; /* auto draws pictures, which threads share */
+        if (sphaera_build(s, &o, &m, &e)) fail_msg("%s", e.text);
         int shared = started > 0;
         if (shared != (cases[i].shared && CPU_COUNT(&set) > 1))
             fail_msg("%s: %d threads", cases[i].path, started);

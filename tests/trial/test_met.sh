@@ -22,13 +22,13 @@ while IFS='|' read -r scene options pattern core; do
 done <<'END'
 behind||^left out the sphere @:17: no ray of this frame meets it|lights1+camera
 behind|--effects all|^effect *reflect *2 *@:16 mirrors 26/256, depth 2$|.*+refract+.*
-hidden_mirror||^left out the sphere @:16: no ray of this frame meets it|lights1+camera
+hidden_mirror||^left out the sphere @:17: no ray of this frame meets it|lights1+camera
 light_below||^effect *lights *1 *1 of .* 2; left out: @:12 lights|shadow+lights1+facets+camera
 light_below|--effects all|^effect *lights *2 *2 of the scene's 2$|shadow+lights2+facets
 light_below|--lights 2|^effect *lights *2 *as asked; 2 of the|shadow+lights2+facets
-mirror_behind||^effect *reflect *off left out: @:15 mirrors 128/256, .*; no ray|lights1+camera
-mirror_behind|--reflect on|^effect *reflect *2 *as asked; not called for: @:15|reflect2+lights1
-mirror_behind|--reflect off|^effect *reflect *off as asked; called for: @:15|lights1
+mirror_behind||^effect *reflect *off left out: @:16 mirrors 128/256, .*; no ray|lights1+camera
+mirror_behind|--reflect on|^effect *reflect *2 *as asked; not called for: @:16|reflect2+lights1
+mirror_behind|--reflect off|^effect *reflect *off as asked; called for: @:16|lights1
 mirror_behind|--size 4096x2160|^left out nothing: there are too many pixels|reflect2+lights1
 mirror_behind|--traverse first|^left out nothing: what a primary|reflect2+lights1+first
 all_behind||^effect *inside *off left out: .* @:26 and @:27 overlap; no|shadow+lights1+facets+camera
@@ -63,7 +63,7 @@ later() {
         "$s" info "$TMP/f-0000.sph" | grep -q "^core *$3\$"
 }
 check "a mirror that comes with frame 2 is not in frames 0 and 1" later 0..1 "" lights1+camera
-check "... says so" grep -q "^left out reflect: $here/comes_later.nff:15 mirrors" "$TMP/text"
+check "... says so" grep -q "^left out reflect: $here/comes_later.nff:16 mirrors" "$TMP/text"
 check "... is in frame 0 of 0 to 2" later 0..2 "" reflect2+lights1
 check "... if all is asked for" later 0..1 "--effects all" reflect2+lights1
 
