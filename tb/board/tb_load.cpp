@@ -52,6 +52,11 @@ struct Board {
             return (uint32_t)machine.regs[SPH_REG_PROFILE];
         case SPHAERA_CORE_EFFECTS:
             return ~0u;
+        case SPHAERA_CORE_PARTS: /* spheres, as much as there can be */
+            return SPHAERA_CORE_PARTS_DEPTH | SPHAERA_CORE_PARTS_LIGHTS | SPHAERA_CORE_PARTS_RECT |
+                   SPHAERA_CORE_PARTS_SPANS | SPHAERA_CORE_PARTS_CONES;
+        case SPHAERA_CORE_BUS:
+            return 32u << SPHAERA_CORE_BUS_ADDR_LSB;
         case SPHAERA_STATUS:
             return busy ? busy--, SPHAERA_STATUS_BUSY : 0u;
         default:
