@@ -8,7 +8,8 @@
 GIVEN_TREE    := $(if $(filter-out file,$(origin TREE)),$(TREE))
 BUILD_PROFILE := $(if $(filter all,$(PROFILE)),reference,$(PROFILE))
 # A core of one's own words that has no `camera` takes machines alone that lack nothing.
-WHOLE         := $(filter-out auto all all+% $(if $(findstring camera,$(EFFECTS:all-%=)),%),$(EFFECTS))
+WHOLE         := $(filter-out auto all all+% $(if $(findstring camera,$(EFFECTS:all-%=)),%),\
+                     $(EFFECTS))
 BUILD_OPTIONS := --profile $(BUILD_PROFILE) --depth $(DEPTH) --background $(BACKGROUND) \
                  --traverse $(TRAVERSE) \
                  $(if $(filter bvh4,$(ACCEL)),--accel bvh4 --tree $(TREE),--accel $(ACCEL) \

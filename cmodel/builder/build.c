@@ -272,7 +272,9 @@ static int build_rest(const struct sph_scene *scene, const struct sph_build_opti
     uint32_t n = scene->n_spheres, *was = malloc(((size_t)n + 1) * sizeof *was);
     uint8_t *prims = malloc((size_t)n + scene->n_facets + 1);
     rest.spheres = malloc(((size_t)n + 1) * sizeof *rest.spheres);
-    int rc = was && prims && rest.spheres ? 0 : sph_fail(err, "out of memory for %u spheres", n);
+    int rc = 0;
+    if (!was || !prims || !rest.spheres)
+        rc = sph_fail(err, "out of memory for %u spheres", n), n = 0;
     rest.n_spheres = 0;
     for (uint32_t i = 0; i < n && !rc; i++) {
         if (lost[i]) {
@@ -280,7 +282,7 @@ static int build_rest(const struct sph_scene *scene, const struct sph_build_opti
                                  scene->spheres[i].line, err);
             continue;
         }
-        if (o.unmet && prims) prims[rest.n_spheres] = o.unmet->prims[i];
+        if (o.unmet) prims[rest.n_spheres] = o.unmet->prims[i];
         was[rest.n_spheres] = i;
         rest.spheres[rest.n_spheres++] = scene->spheres[i];
     }
