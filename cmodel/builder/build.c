@@ -272,9 +272,13 @@ static int build_rest(const struct sph_scene *scene, const struct sph_build_opti
     uint32_t n = scene->n_spheres, *was = malloc(((size_t)n + 1) * sizeof *was);
     uint8_t *prims = malloc((size_t)n + scene->n_facets + 1);
     rest.spheres = malloc(((size_t)n + 1) * sizeof *rest.spheres);
+    if (!was || !prims || !rest.spheres) {
+        free(rest.spheres);
+        free(prims);
+        free(was);
+        return sph_fail(err, "out of memory for %u spheres", n);
+    }
     int rc = 0;
-    if (!was || !prims || !rest.spheres)
-        rc = sph_fail(err, "out of memory for %u spheres", n), n = 0;
     rest.n_spheres = 0;
     for (uint32_t i = 0; i < n && !rc; i++) {
         if (lost[i]) {
