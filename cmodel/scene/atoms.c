@@ -83,8 +83,8 @@ static int cut_charge(char *name) {
 /* The element of an ion: of a name with a charge, or that its residue has too; -1: it is none. */
 static int element_of_ion(const struct sph_elements *elements, const struct sph_atom *a) {
     char name[sizeof a->name], residue[sizeof a->residue];
-    strcpy(name, a->name);
-    strcpy(residue, a->residue);
+    memcpy(name, a->name, sizeof name);
+    memcpy(residue, a->residue, sizeof residue);
     int ion = !strcasecmp(name, residue), charged = cut_charge(name);
     if (cut_charge(residue) && !strcasecmp(name, residue)) charged = 1;
     for (size_t i = 0; ion && i < sizeof ions / sizeof *ions; i++)
@@ -118,9 +118,14 @@ static int element_of_name(const struct sph_elements *elements, const struct sph
     return sph_elements_find(elements, letter);
 }
 
+struct place {
+    const struct sph_atom *atom;
+};
+
 /* Orders places of one atom beside one another, the likeliest first, else as in the file. */
 static int by_atom(const void *p, const void *q) {
-    const struct sph_atom *a = *(struct sph_atom *const *)p, *b = *(struct sph_atom *const *)q;
+    const struct sph_atom *a = ((const struct place *)p)->atom;
+    const struct sph_atom *b = ((const struct place *)q)->atom;
     int d = strcmp(a->group, b->group);
     if (!d) d = strcmp(a->name, b->name);
     if (!d && a->occupancy != b->occupancy) d = a->occupancy > b->occupancy ? -1 : 1;
@@ -132,13 +137,13 @@ enum { ALONE, CHOSEN, OTHER }; /* an atom of one place; the place that is used; 
 /* Says of each atom which of these it is. -1: no memory. */
 static int choose_places(const struct sph_atoms *atoms, uint8_t *is) {
     uint32_t n = 0;
-    const struct sph_atom **sorted = malloc(((size_t)atoms->n + 1) * sizeof *sorted);
+    struct place *sorted = malloc(((size_t)atoms->n + 1) * sizeof *sorted);
     if (!sorted) return -1;
     for (uint32_t i = 0; i < atoms->n; i++)
-        if (atoms->list[i].place != ' ') sorted[n++] = &atoms->list[i];
+        if (atoms->list[i].place != ' ') sorted[n++].atom = &atoms->list[i];
     qsort(sorted, n, sizeof *sorted, by_atom);
     for (uint32_t i = 1; i < n; i++) {
-        const struct sph_atom *a = sorted[i - 1], *b = sorted[i];
+        const struct sph_atom *a = sorted[i - 1].atom, *b = sorted[i].atom;
         if (strcmp(a->group, b->group) || strcmp(a->name, b->name) || a->place == b->place)
             continue;
         if (is[a - atoms->list] == ALONE) is[a - atoms->list] = CHOSEN;

@@ -105,7 +105,7 @@ struct row {
 static int put_row(const struct row *r, int n, char model[24], struct sph_atoms *atoms,
                    struct sph_scene *scene, struct sph_error *err) {
     struct sph_atom a = {.line = r->line, .polymer = strcmp(r->text[GROUP], "HETATM") != 0};
-    if (!atoms->n) strcpy(model, r->text[MODEL]);
+    if (!atoms->n) memcpy(model, r->text[MODEL], sizeof r->text[MODEL]);
     if (strcmp(model, r->text[MODEL]) != 0)
         return sph_ledger_note(&scene->ledger, SPH_READ_MODEL, scene->path, r->line, err);
     snprintf(a.element, sizeof a.element, "%.3s", r->text[SYMBOL]);
