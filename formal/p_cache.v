@@ -4,9 +4,9 @@
 // A small cache, its memories as flip-flops, before a memory of 0 to 8 lines of which any one is
 // marked: a line's data says whether it is that one. A line that memory has not comes with an
 // error, and is asked for only if the whole of its group is beyond. Where memory ends may change
-// while nothing is under way. Client and memory may stall at any time, lines come as late as they
-// like, flushes at any time. Tags of requests under way differ (token rule). For abc's pdr, which
-// finds the invariant itself: bad_o is never 1.
+// while nothing is under way; without groups it only grows, since lines stay. Client and memory may
+// stall at any time, lines come as late as they like, flushes at any time. Tags of requests under
+// way differ (token rule). For abc's pdr, which finds the invariant itself: bad_o is never 1.
 `timescale 1ns / 1ps
 `default_nettype none
 module p_cache #(
@@ -34,10 +34,13 @@ module p_cache #(
     reg       old_q = 1'b0;
     reg [2:0] mark_q = 3'd0;
     reg [3:0] lines_q = 4'd0;
+    wire [3:0] wanted = lines[3] ? 4'd8 : lines;
+    wire       more   = wanted >= lines_q;
     always @(posedge clk) begin
         old_q <= 1'b1;
         if (!old_q) mark_q <= mark;
-        if (!old_q || (move && busy_q == 2'd0 && !take)) lines_q <= lines[3] ? 4'd8 : lines;
+        if (!old_q || (move && busy_q == 2'd0 && !take && (GROUP > 1 || more)))
+            lines_q <= wanted;
     end
 
     // ---- requests of the client: none with a tag that is under way ----

@@ -7,7 +7,8 @@
 // Responses carry the tag of their request; only requests that queue keep their order.
 // A line of the cache is an aligned group of GROUP lines of memory; a miss fetches those of them
 // that memory has, and a line beyond it is answered with an error. mem_lines_i says where memory
-// ends; with GROUP > 1 every line is forgotten when it changes.
+// ends; with GROUP > 1 every line is forgotten when it changes, else lines that are held stay, also
+// beyond an end that comes nearer without a flush.
 // Why it is right: docs/design/shared_units.md.
 `timescale 1ns / 1ps
 `default_nettype none
