@@ -73,24 +73,28 @@ static const struct {
     {"tga", {SPH_FILE_IMAGE, "a Targa image"}},
 };
 
+/* What stands behind these words at the start of the next line, from *at on, that has them, which
+ * *at then is behind; NULL: none has. */
+static const char *behind(const char **at, const char *start) {
+    size_t n = strlen(start);
+    while (*at) {
+        const char *line = *at + strspn(*at, "\r\n");
+        *at = strpbrk(line, "\r\n");
+        if (!strncmp(line, start, n)) return line + n;
+    }
+    return NULL;
+}
+
 /* Whether a line of the text starts with these words. */
 static int has_line(const char *text, const char *start) {
-    size_t n = strlen(start);
-    for (const char *at = text; at; at = strpbrk(at, "\r\n")) {
-        at += strspn(at, "\r\n");
-        if (!strncmp(at, start, n)) return 1;
-    }
-    return 0;
+    return behind(&text, start) != NULL;
 }
 
 /* Whether a line of the text is this word and a number. */
 static int has_number(const char *text, const char *word) {
-    size_t n = strlen(word);
-    for (const char *at = text; at; at = strpbrk(at, "\r\n")) {
-        at += strspn(at, "\r\n");
-        const char *after = at + n + (strncmp(at, word, n) ? 0 : strspn(at + n, " \t"));
-        if (!strncmp(at, word, n) && after > at + n && strchr("+-.0123456789", *after) && *after)
-            return 1;
+    for (const char *rest; (rest = behind(&text, word)) != NULL;) {
+        size_t blanks = strspn(rest, " \t");
+        if (blanks && rest[blanks] && strchr("+-.0123456789", rest[blanks])) return 1;
     }
     return 0;
 }

@@ -26,11 +26,13 @@ static int take_number(const struct sph_lines *l, char **rest, const char *what,
     return sph_fail(err, "%s:%u: %s: `%.40s` is not a number", l->path, l->line, what, word);
 }
 
+enum { X, Y, Z, R, FIELDS, MOST = 256 };
+static const char *const names[FIELDS] = {"x", "y", "z", "r"};
+
 /* How many atoms, a comment, and a line for each: its symbol, x, y, z. Of several frames the first
  * is read. */
 int sph_xyz_read(FILE *file, struct sph_atoms *atoms, struct sph_scene *scene,
                  struct sph_error *err) {
-    static const char *const names[] = {"x", "y", "z"};
     struct sph_lines l = {.file = file, .path = scene->path};
     double n = 0;
     if (sph_lines_next(&l, err) < 0) return -1;
@@ -61,12 +63,9 @@ int sph_xyz_read(FILE *file, struct sph_atoms *atoms, struct sph_scene *scene,
     return 0;
 }
 
-enum { X, Y, Z, R, FIELDS, MOST = 256 };
-
 /* Which column is which, by the names in the first line. */
 static int take_names(const struct sph_lines *l, char *rest, int column[MOST], int *n,
                       struct sph_error *err) {
-    static const char *const names[FIELDS] = {"x", "y", "z", "r"};
     int found = 0;
     for (char *word; *n < MOST && (word = next_field(&rest)); ++*n) {
         int f = 0;
@@ -83,7 +82,6 @@ static int take_names(const struct sph_lines *l, char *rest, int column[MOST], i
 }
 
 int sph_csv_read(FILE *file, double radius, struct sph_scene *scene, struct sph_error *err) {
-    static const char *const names[FIELDS] = {"x", "y", "z", "r"};
     struct sph_lines l = {.file = file, .path = scene->path};
     struct sph_material m = {{0.8, 0.8, 0.8}, 0.85, 0.15, 30, 0, 1, 0, {0}, 0};
     int column[MOST], n = 0, got = sph_lines_next(&l, err);

@@ -92,14 +92,11 @@ static int by_hand(const struct sph_scene *scene, const struct sph_build_options
                    const struct sph_error_bound *bound, struct sph_profile_choice *choice,
                    struct sph_error *err) {
     struct sph_known_picture *mine = &choice->of[SPH_PROFILES];
-    struct sph_judge judge;
     choice->not_measured = sph_judge_cannot(scene, o);
     if (sph_estimate(scene, o, sph_build_profile(o), 1, &mine->expected, err)) return -1;
     choice->kept = !mine->expected.fits || sph_picture_keeps(mine, bound);
     if (choice->kept || choice->not_measured) return 0;
-    if (sph_judge_begin(scene, o, &judge, err)) return -1;
-    mine->measured = sph_judge_widths(&judge, sph_build_profile(o), 0);
-    sph_judge_end(&judge);
+    if (sph_judge_once(scene, o, sph_build_profile(o), &mine->measured, err)) return -1;
     choice->kept = sph_picture_keeps(mine, bound);
     return 0;
 }

@@ -1,7 +1,7 @@
 /* cycles.h - how many clocks a core needs for a frame, without simulating it
  * SPDX-License-Identifier: Apache-2.0
  *
- * Pixels come in columns of 8 (docs/design/engine.md), and an engine has as many under way as a
+ * Pixels come in columns of 8 (docs/design/overview.md), and an engine has as many under way as a
  * square of 8 x 8. While it draws such a square each unit has to do what the model counts there, in
  * the clocks that machine.def knows (`load`), and the one that needs most of them ends last: the
  * frame takes the sum over all squares of the most that a unit needs. What it leaves out: waiting

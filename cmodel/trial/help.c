@@ -47,14 +47,11 @@ static int try_it(struct helper *h, const struct sph_scene *scene,
                   struct sph_error *err, const char *format, ...) {
     struct help *next = &h->best[h->n];
     struct sph_build_options o = *options;
-    struct sph_judge judge;
     memset(next, 0, sizeof *next);
     o.widths = widths;
     if (sph_estimate(scene, &o, widths, 1, &next->is.expected, err)) return -1;
     if (!next->is.expected.fits) return 0;
-    if (sph_judge_begin(scene, &o, &judge, err)) return -1;
-    next->is.measured = sph_judge_widths(&judge, widths, 0);
-    sph_judge_end(&judge);
+    if (sph_judge_once(scene, &o, widths, &next->is.measured, err)) return -1;
     next->score = score(&next->is, h->bound);
     if (!next->is.measured.pixels || next->score < h->least) return 0;
     va_list list;

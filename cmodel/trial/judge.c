@@ -120,6 +120,16 @@ struct sph_measured sph_judge_widths(const struct sph_judge *judge,
     return found;
 }
 
+int sph_judge_once(const struct sph_scene *scene, const struct sph_build_options *o,
+                   const struct sph_profile *widths, struct sph_measured *measured,
+                   struct sph_error *err) {
+    struct sph_judge judge;
+    if (sph_judge_begin(scene, o, &judge, err)) return -1;
+    *measured = sph_judge_widths(&judge, widths, 0);
+    sph_judge_end(&judge);
+    return 0;
+}
+
 /* ---- in words ---- */
 
 int sph_picture_keeps(const struct sph_known_picture *p, const struct sph_error_bound *bound) {

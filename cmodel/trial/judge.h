@@ -45,6 +45,12 @@ void sph_judge_end(struct sph_judge *judge);
 struct sph_measured sph_judge_widths(const struct sph_judge *judge,
                                      const struct sph_profile *widths, double enough);
 
+/* The same of one yardstick that is used once, and of all pixels: -1 with a message as
+ * sph_judge_begin(). */
+int sph_judge_once(const struct sph_scene *scene, const struct sph_build_options *o,
+                   const struct sph_profile *widths, struct sph_measured *measured,
+                   struct sph_error *err);
+
 /* ---- what is asked for, and what is known ---- */
 
 /* What a picture must not miss: how far a point that the eye sees is moved at most, in pixels, and
