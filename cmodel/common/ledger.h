@@ -36,6 +36,10 @@ enum sph_read_end { SPH_USED, SPH_USED_OTHERWISE, SPH_LEFT_OUT, SPH_READ_ENDS };
     X(MESH, SPH_USED, "mesh")                                                                      \
     X(ATOM, SPH_USED, "atom")                                                                      \
     X(NO_ATOM, SPH_USED, "record of no atom")                                                      \
+    X(BONDS, SPH_USED, "record of bonds")                                                          \
+    X(BOND_GIVEN, SPH_USED, "bond, as the file gives it")                                          \
+    X(BOND_TOLD, SPH_USED, "bond, as its atoms' distance tells")                                   \
+    X(MACHINE, SPH_USED, "machine: registers and memory")                                          \
     X(IMAGE, SPH_USED, "image")                                                                    \
     X(SHINE_NONE, SPH_USED_OTHERWISE, "material with Ks but Shine 0: mirrors, no highlight")       \
     X(SHINE_LIMITED, SPH_USED_OTHERWISE, "Shine limited to 1..255")                                \
@@ -49,6 +53,8 @@ enum sph_read_end { SPH_USED, SPH_USED_OTHERWISE, SPH_LEFT_OUT, SPH_READ_ENDS };
     X(ALTERNATE, SPH_USED_OTHERWISE, "atom of several places: the likeliest one is used")          \
     X(ELEMENT, SPH_USED_OTHERWISE, "atom whose element is told by its name")                       \
     X(SHIFTED, SPH_USED_OTHERWISE, "atom record out of its columns, read by its words")            \
+    X(ROW_LONG, SPH_USED_OTHERWISE,                                                                \
+      "row of more values than its loop has names: those that are named are used")                 \
     X(NO_AREA, SPH_LEFT_OUT, "triangle or polygon without area")                                   \
     X(NO_AREA_GRID, SPH_LEFT_OUT,                                                                  \
       "triangle without area on the grid of every profile that may be")                            \
@@ -64,7 +70,11 @@ enum sph_read_end { SPH_USED, SPH_USED_OTHERWISE, SPH_LEFT_OUT, SPH_READ_ENDS };
     X(SAME_PLACE, SPH_LEFT_OUT, "atom at the place of another one")                                \
     X(NO_ELEMENT, SPH_LEFT_OUT, "atom that is none: lone pair, dummy, virtual site")               \
     X(UNKNOWN, SPH_LEFT_OUT, "atom of no known element or radius")                                 \
-    X(MODEL, SPH_LEFT_OUT, "atom of a later model")
+    X(MODEL, SPH_LEFT_OUT, "atom of a later model")                                                \
+    X(BOND_NONE, SPH_LEFT_OUT, "bond whose two atoms are not there, or at one place")              \
+    X(BOND_WEAK, SPH_LEFT_OUT,                                                                     \
+      "bond that is none of electrons shared: hydrogen bond, salt bridge")                         \
+    X(BOND_FAR, SPH_LEFT_OUT, "bond to an atom of another cell of the crystal")
 
 enum sph_read {
 #define SPH_READ_KIND(kind, end, name) SPH_READ_##kind,
@@ -90,6 +100,9 @@ int sph_ledger_note(struct sph_ledger *ledger, enum sph_read kind, const char *f
 /* The same of n records at once, and of one beside that of line `other`. */
 int sph_ledger_add(struct sph_ledger *ledger, enum sph_read kind, uint64_t n, const char *file,
                    uint32_t line, uint32_t other, struct sph_error *err);
+
+/* -1 with the same message of the first kind that is not used as it stands; 0 if there is none. */
+int sph_ledger_check(const struct sph_ledger *ledger, struct sph_error *err);
 
 enum sph_read_end sph_read_end(enum sph_read kind);
 const char *sph_read_name(enum sph_read kind);        /* as above */

@@ -13,7 +13,7 @@ int sph_scene_read(const char *path, const struct sph_read_options *options,
                    struct sph_scene *scene, struct sph_error *err) {
     const char *looks;
     memset(scene, 0, sizeof *scene);
-    FILE *file = sph_input_open(path, SPH_INPUT_ANY, err);
+    FILE *file = sph_input_text(path, err);
     if (!file) return -1;
     enum sph_file_kind kind = sph_aff_is(path) ? SPH_FILE_AFF : sph_file_kind(path, &looks);
     if (kind == SPH_FILE_NFF) return sph_nff_read(file, path, options, scene, err);

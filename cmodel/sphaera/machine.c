@@ -8,6 +8,7 @@
 #include "image/mips.h"
 #include "sphaera/opaque.h"
 #include "texture/lookup.h"
+#include "validate/describe.h"
 #include "validate/validate.h"
 
 void sphaera_build_init(sphaera_build_options *options) {
@@ -122,7 +123,10 @@ int sphaera_machine_read(const char *path, sphaera_machine **machine, sphaera_er
     *machine = calloc(1, sizeof **machine);
     int rc = *machine ? sph_machine_read(path, &(*machine)->machine, &err)
                       : sph_fail(&err, "no memory for a machine");
-    if (!rc) return 0;
+    if (!rc) {
+        sph_machine_note(&(*machine)->machine, path, &(*machine)->ledger);
+        return 0;
+    }
     free(*machine);
     *machine = NULL;
     return sph_api_failed(&err, error);

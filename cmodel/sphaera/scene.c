@@ -41,6 +41,13 @@ int sphaera_scene_parse(const char *text, size_t length, const char *name, uint3
     return make(text, length, name, at, scene, error);
 }
 
+int sphaera_scene_strict(sphaera_scene *scene, sphaera_error *error) {
+    if (sph_api_null(scene, "scene", error)) return -1;
+    struct sph_error err = {""};
+    scene->scene.ledger.strict = 1;
+    return sph_ledger_check(&scene->scene.ledger, &err) ? sph_api_failed(&err, error) : 0;
+}
+
 void sphaera_scene_free(sphaera_scene *scene) {
     if (scene) sph_scene_free(&scene->scene);
     free(scene);

@@ -73,6 +73,11 @@ typedef struct sphaera_record {
 SPHAERA_API int sphaera_scene_record(const sphaera_scene *scene, int number,
                                      sphaera_record *record);
 
+/* From now on what is not used as it stands is an error, as with `--strict`: here, -1 for what has
+ * been read, and in sphaera_build() for what the machine leaves out. To be called by the thread that
+ * read the scene, before others use it. */
+SPHAERA_API int sphaera_scene_strict(sphaera_scene *scene, sphaera_error *error);
+
 /* ---- machines ---- */
 
 /* What is built. sphaera_build_init() sets the defaults, those of `sphaera build`; words are those
@@ -111,7 +116,8 @@ SPHAERA_API const char *sphaera_machine_warning(const sphaera_machine *machine);
  * 57600 pixels, ..."; empty if a profile was asked for, or if it was read from a file. */
 SPHAERA_API const char *sphaera_machine_why(const sphaera_machine *machine);
 
-/* The same of a machine that was built: its scene's, and what the grid left out or limited. */
+/* The same of a machine: its scene's, and what the grid left out or limited; or what its file has,
+ * if it was read from one. */
 SPHAERA_API int sphaera_machine_record(const sphaera_machine *machine, int number,
                                        sphaera_record *record);
 
