@@ -20,8 +20,8 @@ extern "C" {
  * missing, no permission, a folder, a device, a pipe, a socket, too large. Never waits. */
 FILE *sph_input_open(const char *path, long long most, struct sph_error *err);
 
-/* The same of a text of any size, which may be packed by gzip: what is read is unpacked, at once and
- * to its end. It has no descriptor then. */
+/* The same of a text of any size, which may be packed by gzip: what is read is unpacked, at once
+ * and to its end. It has no descriptor then. */
 FILE *sph_input_text(const char *path, struct sph_error *err);
 
 /* Whether the file at path is packed by gzip; 0 if it cannot be opened. */

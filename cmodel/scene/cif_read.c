@@ -38,9 +38,9 @@ enum { OF_ATOM, OF_CONN, OF_BOND, OF_OTHER };
     X(NUMBER, OF_ATOM, ATOM "label_seq_id")                                                        \
     X(NUMBER_AUTH, OF_ATOM, ATOM "auth_seq_id")                                                    \
     X(INSERT, OF_ATOM, ATOM "pdbx_PDB_ins_code")                                                   \
-    X(AT_X, OF_ATOM, ATOM "Cartn_x")                                                                  \
-    X(AT_Y, OF_ATOM, ATOM "Cartn_y")                                                                  \
-    X(AT_Z, OF_ATOM, ATOM "Cartn_z")                                                                  \
+    X(AT_X, OF_ATOM, ATOM "Cartn_x")                                                               \
+    X(AT_Y, OF_ATOM, ATOM "Cartn_y")                                                               \
+    X(AT_Z, OF_ATOM, ATOM "Cartn_z")                                                               \
     X(OCCUPANCY, OF_ATOM, ATOM "occupancy")                                                        \
     X(MODEL, OF_ATOM, ATOM "pdbx_PDB_model_num")                                                   \
     X(GROUP, OF_ATOM, ATOM "group_PDB")                                                            \

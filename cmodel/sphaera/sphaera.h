@@ -74,8 +74,8 @@ SPHAERA_API int sphaera_scene_record(const sphaera_scene *scene, int number,
                                      sphaera_record *record);
 
 /* From now on what is not used as it stands is an error, as with `--strict`: here, -1 for what has
- * been read, and in sphaera_build() for what the machine leaves out. To be called by the thread that
- * read the scene, before others use it. */
+ * been read, and in sphaera_build() for what the machine leaves out. To be called by the thread
+ * that read the scene, before others use it. */
 SPHAERA_API int sphaera_scene_strict(sphaera_scene *scene, sphaera_error *error);
 
 /* ---- machines ---- */
@@ -126,6 +126,11 @@ SPHAERA_API int sphaera_machine_record(const sphaera_machine *machine, int numbe
 /* Draws the machine. threads: 0: one for every processor. */
 SPHAERA_API int sphaera_render(const sphaera_machine *machine, int threads, sphaera_frame **frame,
                                sphaera_error *error);
+
+/* The same, but -1 soon after *stop is not 0, which another thread or a handler of signals sets:
+ * within the time of 64 pixels. stop may be NULL. */
+SPHAERA_API int sphaera_render_until(const sphaera_machine *machine, int threads, const int *stop,
+                                     sphaera_frame **frame, sphaera_error *error);
 SPHAERA_API void sphaera_frame_free(sphaera_frame *frame);
 
 SPHAERA_API int sphaera_frame_width(const sphaera_frame *frame);
@@ -152,6 +157,14 @@ SPHAERA_API uint32_t sphaera_frame_errors(const sphaera_frame *frame);
 /* Writes a picture in the format of the name's ending: 8 bits in sRGB, or OpenEXR, linear. */
 SPHAERA_API int sphaera_frame_write(const sphaera_frame *frame, const char *path,
                                     sphaera_error *error);
+
+/* A frame as bytes, all of it, for another process of the same machine and version: how many, and
+ * they themselves, into an array of the caller; and a frame of them, -1 if they are no such bytes,
+ * or damaged. */
+SPHAERA_API size_t sphaera_frame_size(const sphaera_frame *frame);
+SPHAERA_API void sphaera_frame_pack(const sphaera_frame *frame, uint8_t *bytes);
+SPHAERA_API int sphaera_frame_unpack(const uint8_t *bytes, size_t size, sphaera_frame **frame,
+                                     sphaera_error *error);
 
 /* Counters, by number or by name such as "node_visits" (docs/reference/core.md): their names, NULL
  * behind the last; their values, 0 where the hardware alone counts; -1 if the name is none. */

@@ -2,12 +2,12 @@
 # SPDX-License-Identifier: Apache-2.0
 from functools import cached_property
 from itertools import count, takewhile
-from typing import Any, Dict
+from typing import Any, Dict, Tuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ._library import PathLike, c_text, call, ffi, lib, text
+from ._library import PathLike, c_text, call, ffi, lib, made, text
 
 
 class Frame:
@@ -82,5 +82,16 @@ class Frame:
         Error: another ending, or it cannot be written."""
         call(lib.sphaera_frame_write, self._pointer, c_text(path))
 
+    def __reduce__(self) -> Tuple[Any, Tuple[bytes]]:
+        """Pickles all of it, for the same version of the library."""
+        data = bytearray(lib.sphaera_frame_size(self._pointer))
+        lib.sphaera_frame_pack(self._pointer, ffi.from_buffer("uint8_t[]", data))
+        return _unpacked, (bytes(data),)
+
     def __repr__(self) -> str:
         return f"<sphaera.Frame {self.width}x{self.height}, hash {self.hash:016x}>"
+
+
+def _unpacked(data: bytes) -> Frame:
+    return Frame(made(lib.sphaera_frame_unpack, lib.sphaera_frame_free, "sphaera_frame",
+                      ffi.from_buffer("uint8_t[]", data), len(data)))

@@ -1,8 +1,11 @@
 # machine.py - machines: all that the hardware sees; drawn whole, or one ray of them
 # SPDX-License-Identifier: Apache-2.0
+import tempfile
+from pathlib import Path
 from typing import Any, NamedTuple, Optional, Sequence, Tuple
 
-from ._library import PathLike, Record, c_text, call, ffi, lib, made, records, text
+from ._library import (PathLike, Record, c_text, call, ffi, lib, made, records, text,
+                       until_interrupted)
 from .frame import Frame
 
 
@@ -19,8 +22,18 @@ class Hit(NamedTuple):
 class Machine:
     """A machine; of Scene.build() or Machine.read()."""
 
-    def __init__(self, pointer: Any) -> None:
+    def __init__(self, pointer: Any, told: Optional[Tuple[str, str, list[Record]]] = None) -> None:
         self._pointer = pointer
+        self._told = told or (text(lib.sphaera_machine_warning(pointer)),
+                              text(lib.sphaera_machine_why(pointer)),
+                              records(lib.sphaera_machine_record, pointer))
+
+    def __reduce__(self) -> Tuple[Any, Tuple[Any, ...]]:
+        """Pickles it as its machine file, and what build told."""
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder, "machine.sph")
+            self.write(file)
+            return _unpacked, (file.read_bytes(), self._told)
 
     @classmethod
     def read(cls, path: PathLike) -> "Machine":
@@ -50,24 +63,27 @@ class Machine:
     @property
     def warning(self) -> str:
         """What build warned of, lines of text; empty if nothing, or if it was read from a file."""
-        return text(lib.sphaera_machine_warning(self._pointer))
+        return self._told[0]
 
     @property
     def why(self) -> str:
         """Why "auto" took its profile, and what was measured of the picture; empty if a profile was
         asked for, or if it was read from a file."""
-        return text(lib.sphaera_machine_why(self._pointer))
+        return self._told[1]
 
     @property
     def records(self) -> list[Record]:
-        """What became of each record of the scene's file, and what the grid left out."""
-        return records(lib.sphaera_machine_record, self._pointer)
+        """What became of each record of the scene's file, and what the grid left out; or what the
+        machine file has."""
+        return list(self._told[2])
 
     def render(self, threads: int = 0) -> Frame:
-        """Draws it, with so many threads, up to 1024; 0: one for every processor. Error: another
-        number of threads, no memory."""
-        return Frame(made(lib.sphaera_render, lib.sphaera_frame_free, "sphaera_frame",
-                          self._pointer, threads))
+        """Draws it, with so many threads, up to 1024; 0: one for every processor, or as many as
+        OMP_NUM_THREADS says. Ctrl-C ends it at once. Error: another number of threads, no
+        memory."""
+        return Frame(until_interrupted(lambda stop: made(
+            lib.sphaera_render_until, lib.sphaera_frame_free, "sphaera_frame", self._pointer,
+            threads, stop)))
 
     def trace(self, origin: Sequence[float], direction: Sequence[float]) -> Optional[Hit]:
         """The nearest hit on a ray, None if there is none. Both have three numbers and are in the
@@ -86,3 +102,12 @@ class Machine:
 
     def __repr__(self) -> str:
         return f"<sphaera.Machine {self.profile}, {self.width}x{self.height}>"
+
+
+def _unpacked(data: bytes, told: Tuple[str, str, list[Record]]) -> Machine:
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder, "machine.sph")
+        file.write_bytes(data)
+        pointer = made(lib.sphaera_machine_read, lib.sphaera_machine_free, "sphaera_machine",
+                       c_text(file))
+    return Machine(pointer, told)
