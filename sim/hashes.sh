@@ -54,7 +54,8 @@ else
 END
 fi
 n=0
-effects=$(sed -n 's|^scene |scenes/effects/effects.nff:|p' scenes/effects/effects.nff | LC_ALL=C sort)
+effects=$(sed -n 's/^scene //p' scenes/effects/effects.nff | LC_ALL=C sort |
+    sed 's|^|scenes/effects/effects.nff:|')
 for scene in scenes/*.nff $effects scenes/facets/*.nff scenes/refraction/*.nff; do
     name=${scene#scenes/} name=${name%.nff} tree=balanced
     case $name in *:*) name=effects/${name#*:} ;; esac

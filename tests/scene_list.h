@@ -28,7 +28,7 @@ static inline void list_one(struct scene_list *list, const char *file, const cha
 /* n patterns; a test of none would pass, so that fails. */
 static inline struct scene_list list_scenes(const char *const *patterns, size_t n) {
     struct scene_list list = {.n = 0};
-    char path[96], line[128], section[64];
+    char path[96], line[128];
     for (size_t i = 0; i < n; i++) {
         glob_t found;
         const char *colon = strstr(patterns[i], ":*");
@@ -39,7 +39,8 @@ static inline struct scene_list list_scenes(const char *const *patterns, size_t 
             list_one(&list, found.gl_pathv[k], NULL);
         FILE *file = colon ? fopen(path, "r") : NULL;
         while (file && fgets(line, sizeof line, file))
-            if (sscanf(line, "scene %63s", section) == 1) list_one(&list, path, section);
+            if (!strncmp(line, "scene ", strlen("scene ")))
+                list_one(&list, path, strtok(line + strlen("scene "), " \r\n"));
         if (file) fclose(file);
         globfree(&found);
     }
