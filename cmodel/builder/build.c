@@ -101,9 +101,6 @@ static int check(const struct sph_scene *scene, const struct sph_build_options *
         return sph_fail(err, "bg_levels %d is not in 0..%d", o->bg_levels, SPH_BG_LEVELS);
     if (o->max_depth < 0 || o->max_depth > SPH_MAX_DEPTH)
         return sph_fail(err, "max_depth %d is not in 0..%d", o->max_depth, SPH_MAX_DEPTH);
-    if (o->least_weight < 0 || o->least_weight > SPH_LEAST_WEIGHT_MAX)
-        return sph_fail(err, "least_weight %d is not in 0..%d", o->least_weight,
-                        SPH_LEAST_WEIGHT_MAX);
     if (scene->n_lights < 0 || scene->n_lights > SPH_MAX_LIGHTS)
         return sph_fail(err, "%s: %d lights, at most %d", scene->path, scene->n_lights,
                         SPH_MAX_LIGHTS);

@@ -1,4 +1,4 @@
-# machine.py - what cmodel/machine/machine.def defines, as tables and lists
+# definitions.py - what machine.def, bundles.def and modes.def define, as tables and lists
 # SPDX-License-Identifier: Apache-2.0
 import re
 from functools import lru_cache
@@ -6,6 +6,7 @@ from pathlib import Path
 
 from sim.definition import Definition
 
+from ..generate.modes import Modes
 from ..generate.top import Registers
 from . import markdown
 
@@ -110,3 +111,29 @@ def widths():
     return markdown.table(["width", "bits, from", "to", "and why no more"],
                           [[name.upper(), least, most, " ".join(why[:why.index(":")])]
                            for name, _, _, least, most, *why in rows("width")])
+
+
+def modes():
+    return Modes().table()
+
+
+BUNDLES = Path("rtl/engine/bundles.def")
+
+
+def bundles():
+    """A paragraph for each bundle: what it is, and its fields with their bits and meaning, but for
+    a VALID and a SLOT that say nothing of their own."""
+    told = []
+    for line in BUNDLES.read_text().splitlines():
+        if not line.strip() or line.startswith("#"):
+            continue
+        kind, *words = line.split(maxsplit=2 if line.startswith("b") else 3)
+        if kind == "bundle":
+            told.append((f"- **`{words[0]}`**, {words[1]}:", []))
+        elif kind == "field":
+            name, width, *meaning = words
+            if not meaning and name in ("VALID", "SLOT"):
+                continue
+            bits = [width] * (width != "1")
+            told[-1][1].append(" ".join([f"`{name}`"] + bits + [f"({m})" for m in meaning]))
+    return "\n".join(f"{head} {'; '.join(fields)}." for head, fields in told)
