@@ -7,6 +7,7 @@
 
 #include "reference/world.h"
 #include "scene/vector.h"
+#include "scene/window.h"
 
 static const double degree = 3.14159265358979323846 / 180;
 
@@ -78,6 +79,13 @@ void view_near(struct sph_camera *c, double factor) {
 void view_angle(struct sph_camera *c, double factor) {
     double angle = 2 * atan(tan(c->angle / 2 * degree) * factor) / degree;
     c->angle = fmax(VIEW_NARROW, fmin(VIEW_WIDE, angle));
+}
+
+void view_head(struct sph_camera *c, double at[2], double right, double up) {
+    double height = 2 * tan(c->angle / 2 * degree) * view_distance(c);
+    if (sph_camera_move_eye(c, (right - at[0]) * height, (up - at[1]) * height, 0, "view", NULL))
+        return;
+    at[0] = right, at[1] = up;
 }
 
 int view_line(const struct sph_camera *c, int width, int height, struct sph_vec a, struct sph_vec b,
