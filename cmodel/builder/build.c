@@ -235,10 +235,10 @@ static int build(const struct sph_scene *scene, const struct sph_build_options *
 
     uint32_t n = scene->n_spheres;
     struct sph_plants plants = {balls, n, facets, profile, grid.eye, o->tree, &rays};
-    sph_progress_at(o->progress, GRID);
+    if (sph_progress_at(o->progress, GRID)) return sph_fail(err, "%s: cancelled", scene->path);
     tree->progress = sph_progress_part(o->progress, GRID, TREE);
     if (sph_emit_tree(scene, o, &plants, tree, m, report, err)) return -1;
-    sph_progress_at(o->progress, TREE);
+    if (sph_progress_at(o->progress, TREE)) return sph_fail(err, "%s: cancelled", scene->path);
 
     if (sph_emit_background(tree, balls, &rays, o, m, report, err)) return -1;
     sph_emit_colours(scene, m);
