@@ -53,17 +53,6 @@ int sph_ledger_add(struct sph_ledger *l, enum sph_read kind, uint64_t n, const c
     return sph_fail(err, "%s", text);
 }
 
-int sph_ledger_check(const struct sph_ledger *l, struct sph_error *err) {
-    for (int kind = 0; kind < SPH_READS; kind++) {
-        const struct sph_ledger_row *row = &l->row[kind];
-        char text[640];
-        if (!row->n || kinds[kind].end == SPH_USED) continue;
-        tell(text, sizeof text, (enum sph_read)kind, row->file, row->line, row->other);
-        return sph_fail(err, "%s", text);
-    }
-    return 0;
-}
-
 int sph_ledger_note(struct sph_ledger *l, enum sph_read kind, const char *file, uint32_t line,
                     struct sph_error *err) {
     return sph_ledger_add(l, kind, 1, file, line, 0, err);

@@ -101,9 +101,6 @@ int sph_ledger_note(struct sph_ledger *ledger, enum sph_read kind, const char *f
 int sph_ledger_add(struct sph_ledger *ledger, enum sph_read kind, uint64_t n, const char *file,
                    uint32_t line, uint32_t other, struct sph_error *err);
 
-/* -1 with the same message of the first kind that is not used as it stands; 0 if there is none. */
-int sph_ledger_check(const struct sph_ledger *ledger, struct sph_error *err);
-
 enum sph_read_end sph_read_end(enum sph_read kind);
 const char *sph_read_name(enum sph_read kind);        /* as above */
 const char *sph_read_end_name(enum sph_read_end end); /* "used", "used otherwise", "left out" */

@@ -25,12 +25,14 @@ struct job {
     int width, height; /* of what a thread draws at a time */
     int across, down;  /* how many of those there are */
     int done;          /* of them */
+    int end;           /* nobody wants the rest */
     uint32_t errors;
     struct sph_counters *counters;
 };
 
 static int stopped(const struct job *j) {
-    return j->how.stop && __atomic_load_n(j->how.stop, __ATOMIC_RELAXED);
+    return __atomic_load_n(&j->end, __ATOMIC_RELAXED) ||
+           (j->how.stop && __atomic_load_n(j->how.stop, __ATOMIC_RELAXED));
 }
 
 static int less(int a, int b) {
@@ -66,9 +68,10 @@ static void parts(void *user, uint32_t first, uint32_t end) {
         j->errors |= errors;
         for (int c = 0; c < SPH_COUNTERS; c++)
             j->counters->count[c] += mine.count[c];
-        if (++j->done % j->across == 0 && j->how.progress)
+        if (++j->done % j->across == 0 && j->how.progress &&
             j->how.progress(j->how.user, (int)((int64_t)j->done * rows / (j->across * j->down)),
-                            rows);
+                            rows))
+            __atomic_store_n(&j->end, 1, __ATOMIC_RELAXED);
         sph_parallel_unlock();
     }
 }
@@ -121,7 +124,7 @@ int sph_render(const struct sph_machine *m, const struct sph_render_options *o,
     sph_parallel_for((uint32_t)(job.across * job.down), 1, parts, &job);
     sph_parallel_most(before);
     sph_fast_free(fast);
-    if (stopped(&job)) return sph_fail(err, "%s: stopped", m->name);
     if (packets) forget_work(frame, counters);
+    if (stopped(&job)) return sph_fail(err, "%s: cancelled", m->name);
     return (int)job.errors;
 }

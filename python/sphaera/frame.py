@@ -18,8 +18,9 @@ class Frame:
 
     NONE: int = lib.SPHAERA_NONE  # id of no primitive
 
-    def __init__(self, pointer: Any) -> None:
+    def __init__(self, pointer: Any, machine: Any) -> None:
         self._pointer = pointer
+        self._machine = machine
 
     @property
     def width(self) -> int:
@@ -82,16 +83,17 @@ class Frame:
         Error: another ending, or it cannot be written."""
         call(lib.sphaera_frame_write, self._pointer, c_text(path))
 
-    def __reduce__(self) -> Tuple[Any, Tuple[bytes]]:
-        """Pickles all of it, for the same version of the library."""
+    def __reduce__(self) -> Tuple[Any, Tuple[Any, bytes]]:
+        """Pickles it and its machine, for the same version of the library."""
         data = bytearray(lib.sphaera_frame_size(self._pointer))
         lib.sphaera_frame_pack(self._pointer, ffi.from_buffer("uint8_t[]", data))
-        return _unpacked, (bytes(data),)
+        return _unpacked, (self._machine, bytes(data))
 
     def __repr__(self) -> str:
         return f"<sphaera.Frame {self.width}x{self.height}, hash {self.hash:016x}>"
 
 
-def _unpacked(data: bytes) -> Frame:
-    return Frame(made(lib.sphaera_frame_unpack, lib.sphaera_frame_free, "sphaera_frame",
-                      ffi.from_buffer("uint8_t[]", data), len(data)))
+def _unpacked(machine: Any, data: bytes) -> Frame:
+    pointer = machine._pointer  # pylint: disable=protected-access
+    return Frame(made(lib.sphaera_frame_unpack, lib.sphaera_frame_free, "sphaera_frame", pointer,
+                      ffi.from_buffer("uint8_t[]", data), len(data)), machine)

@@ -81,9 +81,15 @@ class Machine:
         """Draws it, with so many threads, up to 1024; 0: one for every processor, or as many as
         OMP_NUM_THREADS says. Ctrl-C ends it at once. Error: another number of threads, no
         memory."""
-        return Frame(until_interrupted(lambda stop: made(
-            lib.sphaera_render_until, lib.sphaera_frame_free, "sphaera_frame", self._pointer,
-            threads, stop)))
+        options = ffi.new("sphaera_render_options *")
+        lib.sphaera_render_init(options)
+        options.threads = threads
+
+        def work(stop: Any) -> Any:
+            options.stop = stop
+            return made(lib.sphaera_render_with, lib.sphaera_frame_free, "sphaera_frame",
+                        self._pointer, options)
+        return Frame(until_interrupted(work), self)
 
     def trace(self, origin: Sequence[float], direction: Sequence[float]) -> Optional[Hit]:
         """The nearest hit on a ray, None if there is none. Both have three numbers and are in the

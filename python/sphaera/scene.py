@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 from typing import Any, Optional, Union
 
-from ._library import PathLike, Record, c_text, call, ffi, lib, made, records
+from ._library import PathLike, Record, c_text, ffi, lib, made, records
 from .machine import Machine
 from .price import Price, price_of
 
@@ -82,14 +82,6 @@ class Scene:
         return f"<sphaera.Scene of {self.spheres} spheres, {self.facets} triangles and planes>"
 
 
-def scene_of(function: Any, strict: bool, *arguments: Any) -> Scene:
-    """What the library reads; under strict what is not used as it stands is an Error."""
-    pointer = made(function, lib.sphaera_scene_free, "sphaera_scene", *arguments)
-    if strict:
-        call(lib.sphaera_scene_strict, pointer)
-    return Scene(pointer)
-
-
 def read(path: PathLike, at: int = 0, strict: bool = False) -> Scene:
     """Reads a scene file (NFF, AFF), a molecule (PDB, mmCIF, XYZ) or points (CSV). at: frame that
     moving primitives are moved to, 0 to 65535. strict: what is not used as it stands is an Error,
@@ -97,12 +89,16 @@ def read(path: PathLike, at: int = 0, strict: bool = False) -> Scene:
     Where there is no file of this name, it may be a kind of `sphaera gen`, such as "random:256".
 
     Error: no such file, or what the file says is no scene, with file, line and field."""
-    return scene_of(lib.sphaera_scene_read, strict, c_text(path), at)
+    options = ffi.new("sphaera_read_options *")
+    lib.sphaera_read_init(options)
+    options.at, options.strict = at, strict
+    return Scene(made(lib.sphaera_scene_read_with, lib.sphaera_scene_free, "sphaera_scene",
+                      c_text(path), options))
 
 
-def parse(text: Union[str, bytes], name: PathLike = "memory.nff", at: int = 0,
-          strict: bool = False) -> Scene:
+def parse(text: Union[str, bytes], name: PathLike = "memory.nff", at: int = 0) -> Scene:
     """The same of a text of NFF in memory. name stands in messages; its folder is where images
     are looked for."""
     data = text.encode() if isinstance(text, str) else bytes(text)
-    return scene_of(lib.sphaera_scene_parse, strict, data, len(data), c_text(name), at)
+    return Scene(made(lib.sphaera_scene_parse, lib.sphaera_scene_free, "sphaera_scene",
+                      data, len(data), c_text(name), at))

@@ -202,19 +202,22 @@ static void *stop_soon(void *unused) {
 static void test_stop(void **unused) {
     enum { TRIES = 5, MILLISECONDS = 100 };
     sphaera_machine *m = machine_of("scenes/paper100.nff", 8000, 4500);
+    sphaera_render_options o;
     sphaera_frame *f = NULL;
     sphaera_error e = {""};
     int64_t least = INT64_MAX;
     (void)unused;
+    sphaera_render_init(&o);
+    o.threads = 2, o.stop = &stop;
     for (int i = 0; i < TRIES && least > MILLISECONDS; i++) {
         pthread_t thread;
         struct timespec now;
         stop = 0;
         pthread_create(&thread, NULL, stop_soon, NULL);
-        assert_int_equal(sphaera_render_until(m, 2, &stop, &f, &e), -1);
+        assert_int_equal(sphaera_render_with(m, &o, &f, &e), -1);
         clock_gettime(CLOCK_MONOTONIC, &now);
         pthread_join(thread, NULL);
-        assert_string_equal(e.text, "paper100: stopped");
+        assert_string_equal(e.text, "paper100: cancelled");
         assert_null(f);
         int64_t ms =
             (now.tv_sec - stopped_at.tv_sec) * 1000 + (now.tv_nsec - stopped_at.tv_nsec) / 1000000;
@@ -234,19 +237,23 @@ static void test_bytes(void **unused) {
     size_t size = sphaera_frame_size(f);
     uint8_t *bytes = malloc(size), rgb[2][21 * 13 * 3];
     sphaera_frame_pack(f, bytes);
-    if (sphaera_frame_unpack(bytes, size, &again, &e)) fail_msg("%s", e.text);
+    if (sphaera_frame_unpack(m, bytes, size, &again, &e)) fail_msg("%s", e.text);
     assert_true(sphaera_frame_hash(f) == sphaera_frame_hash(again));
     for (int i = 0; sphaera_counter_name(i); i++)
         assert_true(sphaera_frame_counter(f, i) == sphaera_frame_counter(again, i));
     sphaera_frame_rgb(f, 1, rgb[0]), sphaera_frame_rgb(again, 1, rgb[1]);
     assert_memory_equal(rgb[0], rgb[1], sizeof rgb[0]);
-    assert_int_equal(sphaera_frame_unpack(bytes, size - 1, &again, NULL), -1);
-    assert_int_equal(sphaera_frame_unpack(bytes, 9, &again, NULL), -1);
+    sphaera_frame_free(again);
+    assert_int_equal(sphaera_frame_unpack(m, bytes, size - 1, &again, NULL), -1);
+    assert_int_equal(sphaera_frame_unpack(m, bytes, 9, &again, NULL), -1);
     for (size_t i = 0; i < size; i += 7) { /* a bit of it is another */
         bytes[i] ^= 4;
-        assert_int_equal(sphaera_frame_unpack(bytes, size, &again, NULL), -1);
+        assert_int_equal(sphaera_frame_unpack(m, bytes, size, &again, NULL), -1);
         bytes[i] ^= 4;
     }
+    sphaera_machine *other = machine_of("scenes/paper5.nff", 13, 21);
+    assert_int_equal(sphaera_frame_unpack(other, bytes, size, &again, NULL), -1);
+    sphaera_machine_free(other);
     free(bytes);
     sphaera_frame_free(f);
     sphaera_machine_free(m);
