@@ -148,9 +148,7 @@ class Setup : public bench::Bench<Vrt_setup> {
             Vec any = random_dir(random, nullptr);
             bench::i128 vec = pack(valid ? slots[s].dir.v : any.v, WD);
             bench::i128 slot = valid ? s : (bench::i128)random.below(SLOTS);
-            auto &port = kind == NORMAL  ? dut.normal_i
-                         : kind == LIGHT ? dut.light_i
-                                         : dut.bounce_i;
+            auto &port = kind == NORMAL ? dut.normal_i : kind == LIGHT ? dut.light_i : dut.bounce_i;
             bench::put(port, RT_VECTOR_VALID, valid);
             bench::put(port, RT_VECTOR_SLOT, slot);
             bench::put(port, RT_VECTOR_VEC, vec);
