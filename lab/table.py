@@ -132,6 +132,12 @@ GROUPS = {
          "targets of make as jobs"),
         ("target-job", "jobs.targets:one", "BUILD RESULTS KEY PATTERN,...", "one of them"),
     ),
+    "silicon": (
+        ("silicon", "silicon.report", "RUN CORE", "area, clock and energy of a run on cells"),
+        ("silicon-core", "silicon.core", "NETLIST LIB MACROS FOLDER",
+         "a netlist of standard cells: what simulates, times and weighs it"),
+        ("silicon-buffer", "silicon.core:buffer", "LIB", "the smallest buffer of a library"),
+    ),
     "synthesis": (
         ("area", "synth.report", "FOLDER KEY...", "tables of synthesised cores"),
         ("area-page", "synth.page", "PAGE FOLDER KEY...", "docs/results/speed_and_area.md"),

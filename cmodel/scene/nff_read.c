@@ -50,6 +50,11 @@ static int take_view_field(struct sph_reader *r, int field, struct sph_error *er
         return sph_lex_number(&r->lex, "angle", "degrees", &camera->angle, err);
     case 4:
         return sph_lex_number(&r->lex, "hither", "distance", &camera->hither, err);
+    case 5:
+        return sph_lex_number(&r->lex, "shift", "X", &camera->shift[0], err) ||
+                       sph_lex_number(&r->lex, "shift", "Y", &camera->shift[1], err)
+                   ? -1
+                   : 0;
     default:
         return take_size(r, "width", &camera->width, err) ||
                        take_size(r, "height", &camera->height, err)
@@ -58,10 +63,12 @@ static int take_view_field(struct sph_reader *r, int field, struct sph_error *er
     }
 }
 
-/* v from x y z at x y z up x y z angle a hither h resolution w h: any order, hither optional. */
+/* v from x y z at x y z up x y z angle a hither h shift x y resolution w h: any order, hither and
+ * shift optional. */
 static int take_view(struct sph_reader *r, struct sph_error *err) {
-    static const char *const names[] = {"from", "at", "up", "angle", "hither", "resolution"};
-    enum { N_FIELDS = 6, HITHER = 4 };
+    static const char *const names[] = {"from",   "at",    "up",        "angle",
+                                        "hither", "shift", "resolution"};
+    enum { N_FIELDS = 7, HITHER = 4, SHIFT = 5 };
     int seen[N_FIELDS] = {0}, got, field;
     if (r->view_line)
         return sph_fail(err, "%s:%u: second `v`; the first is in line %u", r->lex.path,
@@ -78,7 +85,7 @@ static int take_view(struct sph_reader *r, struct sph_error *err) {
     }
     if (got < 0) return -1;
     for (field = 0; field < N_FIELDS; field++)
-        if (!seen[field] && field != HITHER)
+        if (!seen[field] && field != HITHER && field != SHIFT)
             return sph_fail(err, "%s:%u: `v`: `%s` is missing", r->lex.path, r->view_line,
                             names[field]);
     char where[sizeof r->scene->path + 16];

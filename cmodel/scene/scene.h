@@ -21,11 +21,20 @@ struct sph_vec {
     double x, y, z;
 };
 
+/* A picture is one of columns x rows that are drawn for displays side by side; 0 x 0: it is alone.
+ */
+struct sph_wall {
+    int columns, rows, column, row;
+};
+
 struct sph_camera {
     struct sph_vec from, at, up;
-    double angle;  /* vertical field of view, degrees, 0 < angle < 180 (SPD convention) */
-    double hither; /* near distance; read, not used: spheres are never clipped */
+    double angle;    /* vertical field of view, degrees, 0 < angle < 180 (SPD convention) */
+    double hither;   /* near distance; read, not used: spheres are never clipped */
+    double shift[2]; /* of the picture's middle to the right of the view and above it, in heights of
+                        the picture: window.h */
     int width, height;
+    struct sph_wall wall; /* angle and shift are the wall's */
 };
 
 struct sph_light {

@@ -36,6 +36,8 @@ static struct sph_scene random_view(int run) {
     *at = (struct sph_vec){between(-aside, 1 + aside), between(-aside, 1 + aside),
                            between(-aside, 1 + aside)};
     s.camera.angle = between(3, 150);
+    for (int i = 0; i < 2 && run & 1; i++) /* an oblique frustum */
+        s.camera.shift[i] = between(-0.5, 0.5);
     s.camera.width = W, s.camera.height = H;
     return s;
 }
