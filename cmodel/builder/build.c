@@ -101,9 +101,6 @@ static int check(const struct sph_scene *scene, const struct sph_build_options *
         return sph_fail(err, "bg_levels %d is not in 0..%d", o->bg_levels, SPH_BG_LEVELS);
     if (o->max_depth < 0 || o->max_depth > SPH_MAX_DEPTH)
         return sph_fail(err, "max_depth %d is not in 0..%d", o->max_depth, SPH_MAX_DEPTH);
-    if (o->least_weight < 0 || o->least_weight > SPH_LEAST_WEIGHT_MAX)
-        return sph_fail(err, "least_weight %d is not in 0..%d", o->least_weight,
-                        SPH_LEAST_WEIGHT_MAX);
     if (scene->n_lights < 0 || scene->n_lights > SPH_MAX_LIGHTS)
         return sph_fail(err, "%s: %d lights, at most %d", scene->path, scene->n_lights,
                         SPH_MAX_LIGHTS);
@@ -238,10 +235,10 @@ static int build(const struct sph_scene *scene, const struct sph_build_options *
 
     uint32_t n = scene->n_spheres;
     struct sph_plants plants = {balls, n, facets, profile, grid.eye, o->tree, &rays};
-    sph_progress_at(o->progress, GRID);
+    if (sph_progress_at(o->progress, GRID)) return sph_fail(err, "%s: cancelled", scene->path);
     tree->progress = sph_progress_part(o->progress, GRID, TREE);
     if (sph_emit_tree(scene, o, &plants, tree, m, report, err)) return -1;
-    sph_progress_at(o->progress, TREE);
+    if (sph_progress_at(o->progress, TREE)) return sph_fail(err, "%s: cancelled", scene->path);
 
     if (sph_emit_background(tree, balls, &rays, o, m, report, err)) return -1;
     sph_emit_colours(scene, m);

@@ -215,21 +215,53 @@ int sph_nff_finish(struct sph_reader *r, struct sph_error *err) {
     return sph_scene_drop_twice(scene, SPH_READ_SPHERE_TWICE, err);
 }
 
-int sph_nff_read(FILE *file, const char *path, const struct sph_read_options *options,
-                 struct sph_scene *scene, struct sph_error *err) {
+/* The scenes of a file: what stands before the first `scene` is part of each. */
+struct sections {
+    const char *wanted; /* NULL: the file has one scene */
+    uint32_t line;      /* of the first word that was read, 0: none */
+    int found, passes;  /* the wanted one was met; the one that is read is another */
+};
+
+/* Takes the next word, or passes it: `scene NAME` at the start of a line begins another scene. 1 if
+ * a record of the wanted one is next, 0 if not, -1 with a message. */
+static int take_section(struct sph_reader *r, struct sections *s, struct sph_error *err) {
+    char name[SPH_LEX_TOKEN];
+    int starts = r->lex.token_line != s->line;
+    s->line = r->lex.token_line;
+    if (!starts || strcmp(r->lex.token, "scene") != 0) {
+        if (s->passes) sph_lex_take(&r->lex);
+        return !s->passes;
+    }
+    sph_lex_take(&r->lex);
+    if (sph_lex_name(&r->lex, "scene", "name", name, sizeof name, err) < 0) return -1;
+    if (!s->wanted)
+        return sph_fail(err, "%s:%u: there are several scenes: say %s:%s for this one", r->lex.path,
+                        s->line, r->lex.path, name);
+    s->passes = strcmp(name, s->wanted) != 0;
+    if (!s->passes && s->found++)
+        return sph_fail(err, "%s:%u: second scene `%s`", r->lex.path, s->line, name);
+    return 0;
+}
+
+int sph_nff_read(FILE *file, const char *path, const char *section,
+                 const struct sph_read_options *options, struct sph_scene *scene,
+                 struct sph_error *err) {
     struct sph_reader r = {.skip = 0};
-    int got, bad = 0, records = 0;
+    struct sections s = {.wanted = section};
+    int got, bad = 0;
     memset(scene, 0, sizeof *scene);
     sph_nff_start(&r, scene, options);
     sph_scene_set_path(scene, path);
+    if (section) snprintf(scene->name, sizeof scene->name, "%s", section);
     sph_lex_begin(&r.lex, file, path);
     r.lex.progress = options ? options->progress : NULL;
     while (!bad && (got = sph_lex_peek(&r.lex, err)) != 0) {
-        bad = got < 0 ? -1 : take_moving(&r, err);
-        records = 1;
+        if (got > 0) got = take_section(&r, &s, err);
+        bad = got < 0 || (got && take_moving(&r, err)) ? -1 : 0;
     }
     sph_lex_close(&r.lex);
-    if (!bad && !records) bad = sph_fail(err, "%s: the file is empty", path);
+    if (!bad && !s.line) bad = sph_fail(err, "%s: the file is empty", path);
+    if (!bad && section && !s.found) bad = sph_fail(err, "%s: has no scene `%s`", path, section);
     if (!bad) bad = sph_nff_finish(&r, err);
     if (!bad && options) bad = sph_scene_move(scene, options->at, err);
     if (!bad) bad = sph_scene_nest(scene, err);
