@@ -66,7 +66,7 @@ for scene in oblique paper5 facets/room refraction/water texture/hall; do
     angle=$(sed -n 's/.*angle \([0-9.]*\).*/\1/p' "$file" | head -1)
     wide=$(python3 -c "from math import *
 print(repr(2 * degrees(atan(3 * tan(radians($angle / 2))))))")
-    sed "s/angle [0-9.]*/angle $wide/; /^shift/d; s#^texture #texture $PWD/scenes/texture/#" \
+    sed "s/angle [0-9.]*/angle $wide/; /^shift/d; s#[a-z]*[.]png#$PWD/scenes/texture/&#" \
         "$file" >"$TMP/wide.nff"
     draw "$file" --profile fine --size 64x36 --shift 0.25,0.3333333333333333 -o "$TMP/part.ppm" \
         --transfer linear
