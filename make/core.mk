@@ -136,10 +136,13 @@ $K/ecp5.json $K/xc7.json: $K/%.json: $(RTL_FILES) synth/cells.sh synth/folders.s
 
 # The core as cells of a library: what Yosys maps, then areas, times, energies and the program.
 $K/silicon.flags: FORCE
-	$(call stamp,$(PARAMETERS),$(YOSYS))
+	$(call stamp,$(PARAMETERS) $(CLOCK_GATES),$(YOSYS))
 $K/silicon.json: $(RTL_FILES) synth/silicon.sh synth/folders.sh $K/silicon.flags
-	YOSYS='$(YOSYS)' RTL=$(RTL) sh synth/silicon.sh '$(LIBERTY)' rt_core $@ $(PARAMETERS)
-$K/core.so: $K/silicon.json $(wildcard lab/silicon/*.py) tb/netlist/gates.c tb/netlist/gates.h
+	YOSYS='$(YOSYS)' CLOCK_GATES=$(CLOCK_GATES) RTL=$(RTL) sh synth/silicon.sh '$(LIBERTY)' \
+	    rt_core $@ $(PARAMETERS)
+SILICON := $(addprefix lab/silicon/,core.py energy.py function.py liberty.py liberty_text.py \
+               macros.py netlist.py program.py timing.py)
+$K/core.so: $K/silicon.json $(SILICON) tb/netlist/gates.c tb/netlist/gates.h
 	python3 -m lab silicon-core $< '$(LIBERTY)' '$(MACROS)' $(@D)
 
 NETLIST := $(patsubst tb/netlist/%.cpp,$S/obj/netlist_%.o,$(wildcard tb/netlist/*.cpp))
