@@ -39,7 +39,7 @@ price: $(TOOL) ## what accuracy costs SCENE in time: table, picture; MORE=1, RTL
 	    $(MACHINE_KEY) MORE RTL LATENCY)
 
 PICTURES := $B/sim/pictures
-$(PICTURES): $B/obj/sim/pictures.o $(call objects,obj/,$(IMAGE_C) $(LAZY_C)) $(ARCHIVE)
+$(PICTURES): $B/obj/sim/pictures.o $(call objects,obj/,$(IMAGE_C) $(LAZY_C)) $(MODEL)
 	$(call say,LD,$(@F))
 	@mkdir -p $(@D)
 	$(call make_whole,$(CXX) $^ $(MODEL_LIBS) -ldl)
