@@ -85,7 +85,7 @@ $(PICTURE): $(call objects,obj/,$(IMAGE_CXX) cmodel/image/plain.c) $(MODEL) $B/s
 	    $(filter %.o %.a,$^) $(IMAGE_LIBS) $(MODEL_LIBS))
 
 $(TOOL): $(call objects,obj/,$(TOOL_C) $(IMAGE_C) $(LAZY_C)) $(VERSION_O) $(MODEL) $(PICTURE) \
-         $(VIEWER)
+         $(MESHES) $(VIEWER)
 	$(call say,LD,$(@F))
 	$(call make_whole,$(CC) $(filter %.o %.a,$^) $(call pkg,--libs jansson) \
 	    $(MODEL_LIBS) -ldl)
