@@ -65,7 +65,7 @@ refuse sim ENGINES=two SIZE=16x9 WINDOW=0,0,17,9 PIXEL=3,9 PROFILE=standart SCEN
 for word in "ENGINES=two: is not 1 to 8$" "WINDOW=0,0,17,9: is not inside SIZE=16x9" \
     "PIXEL=3,9: is not inside SIZE=16x9" \
     "PROFILE=standart: .*is standard meant" "SCENE=foo: is no file, and no scene" \
-    "^ .* texture/hall " "STALL=: is empty" "ROOT_STEP=0: "; do
+    "^ .*texture/hall" "STALL=: is empty" "ROOT_STEP=0: "; do
     check "... $word" says "$word"
 done
 refuse sim PIXEL=8,3 WINDOW=0,0,8,8 FOO=1
