@@ -214,7 +214,7 @@ static void test_packed(void **state) {
         {LINE("    1", " CA ", "ALA", "A", "   1", "   0.000", " C"), SPH_FILE_PDB, 0, NULL},
         {CAM MAT "s 0 0 0 1\n", SPH_FILE_NFF, 0, NULL},
         {LINE("    1", " CA ", "ALA", "A", "   1", "   0.000", " C"), SPH_FILE_PDB, 9, "cut off"},
-        {"BM and more", SPH_FILE_OTHER, 0, "packed by gzip, which is read of texts alone"},
+        {"BM and more", SPH_FILE_OTHER, 0, "a file packed by gzip: unpack it first"},
     };
     for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
         struct sph_error err = {""};
