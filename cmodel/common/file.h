@@ -20,16 +20,6 @@ extern "C" {
  * missing, no permission, a folder, a device, a pipe, a socket, too large. Never waits. */
 FILE *sph_input_open(const char *path, long long most, struct sph_error *err);
 
-/* The same of a text of any size, which may be packed by gzip: what is read is unpacked, at once
- * and to its end. It has no descriptor then. */
-FILE *sph_input_text(const char *path, struct sph_error *err);
-
-/* Whether the file at path is packed by gzip; 0 if it cannot be opened. */
-int sph_input_packed(const char *path);
-
-/* Why reading has just failed, in words: errno, or that what is packed is damaged. */
-const char *sph_input_why(void);
-
 /* Whether the file at path starts with these n bytes, at most 16; 0 if it cannot be opened. */
 int sph_input_starts(const char *path, const char *bytes, size_t n);
 

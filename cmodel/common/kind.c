@@ -8,7 +8,7 @@
 #include <strings.h>
 #include <sys/stat.h>
 
-#include "common/file.h"
+#include "common/packed.h"
 
 enum { HEAD = 4096 }; /* bytes that are looked at */
 

@@ -9,7 +9,7 @@
 #include <string.h>
 #include <strings.h>
 
-#include "common/file.h"
+#include "common/packed.h"
 #include "scene/edit.h"
 
 int sph_lines_next(struct sph_lines *l, struct sph_error *err) {

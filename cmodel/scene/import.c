@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-#include "common/file.h"
+#include "common/packed.h"
 #include "scene/edit.h"
 #include "scene/mesh.h"
 #include "scene/pdb_frame.h"

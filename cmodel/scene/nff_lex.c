@@ -10,7 +10,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#include "common/file.h"
+#include "common/packed.h"
 
 void sph_lex_begin(struct sph_lex *lex, FILE *file, const char *path) {
     struct stat st;

@@ -5,7 +5,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "common/file.h"
+#include "common/packed.h"
 #include "scene/aff.h"
 #include "scene/import.h"
 #include "scene/nff_reader.h"
