@@ -43,8 +43,8 @@ def made(function: Any, free: Any, kind: str, *arguments: Any) -> Any:
 
 
 def until_interrupted(work: Callable[[Any], Any]) -> Any:
-    """work(stop), by a thread of its own if this is the main one, which Ctrl-C would else find in C:
-    then stop[0] is 1, and the work, which has to look at it, ends before the exception goes on."""
+    """work(stop), by a thread of its own if this is the main one, which Ctrl-C would else find in
+    C: then stop[0] is 1, and the work, which looks at it, ends before the exception goes on."""
     stop = ffi.new("int *")
     if threading.current_thread() is not threading.main_thread():
         return work(stop)

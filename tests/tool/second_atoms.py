@@ -3,10 +3,10 @@
 """usage: python3 second_atoms.py TOOL FOLDER MOLECULE...
 
 Each file (PDB or mmCIF, packed or not) is read by gemmi and by the tool (import --water); then what
-gemmi writes of it, as mmCIF, packed mmCIF, and as PDB, twenty times over, so that serial numbers are
-hybrid-36. Places of the first model and their elements have to be the same: of alternates the
-likeliest, of one place the first. FOLDER is for what is written. A line for each file; exit code 1 if
-anything differs, 3 if there is no gemmi."""
+gemmi writes of it, as mmCIF, packed mmCIF, and as PDB, twenty times over, so that serial numbers
+are hybrid-36. Places of the first model and their elements have to be the same: of alternates the
+likeliest, of one place the first. FOLDER is for what is written. A line for each file; exit code 1
+if anything differs, 3 if there is no gemmi."""
 import collections
 import gzip
 import re

@@ -2,11 +2,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """usage: python3 second_nff.py TOOL SCENE...
 
-Reads what Eric Haines' text of NFF (SPD 3.x, "NFF.TXT") says, and nothing of the project's own: v, b,
-l, f, s, c, p, pp, comments. The tool's reading is taken from its export to POV-Ray, which has camera,
-lights, spheres and triangles as numbers. Words that the text does not have are passed over with all
-numbers behind them; where they may add primitives, triangles are not compared. A line for each scene:
-what was read; exit code 1 if anything differs."""
+Reads what Eric Haines' text of NFF (SPD 3.x, "NFF.TXT") says, and nothing of the project's own: v,
+b, l, f, s, c, p, pp, comments. The tool's reading is taken from its export to POV-Ray, which has
+camera, lights, spheres and triangles as numbers. Words that the text does not have are passed over
+with all numbers behind them; where they may add primitives, triangles are not compared. A line for
+each scene: what was read; exit code 1 if anything differs."""
 import json
 import math
 import re

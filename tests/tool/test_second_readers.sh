@@ -25,7 +25,8 @@ sys.exit(second_nff.main(*sys.argv[1:3]))
 END
 }
 check "... notices another radius" changed scenes/paper5.nff '0,/^s /s/^\(s .*\)[0-9]$/\19/'
-check "... another corner" changed scenes/facets/room.nff '0,/^p /s/^p 4  -3 0 -2/& .5/; 0,/^p /s/-2 .5/-2.5/'
+check "... another corner" changed scenes/facets/room.nff \
+    '0,/^p /s/^p 4  -3 0 -2/& .5/; 0,/^p /s/-2 .5/-2.5/'
 check "... another light" changed scenes/paper5.nff 's/^l /l 1/'
 
 for python in python3 /usr/bin/python3; do # another python3 may come first in the PATH
