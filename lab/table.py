@@ -45,6 +45,8 @@ EXPERIMENTS = [Experiment(*row) for row in (
       "papers.page docs/results/papers.md BUILD/papers BUILD/synth"]),
     ("trees", "trees beside each other and against a bound: docs/results/trees.md; two minutes",
      ["trees TOOL BUILD/trees docs/results/trees.md"]),
+    ("swept", "what the papers fix untried, tried: docs/results/trees.md; a minute",
+     ["swept TOOL BUILD/swept docs/results/trees.md"]),
     ("kinds", "kinds of trees beside each other, a kd-tree too: docs/results/trees.md",
      ["trees:kinds TOOL BUILD/trees docs/results/trees.md"]),
     ("ray-timing", "a pixel's rays, clock by clock: docs/pictures/ray_timing.svg; a minute",
