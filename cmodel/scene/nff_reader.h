@@ -36,9 +36,11 @@ void sph_nff_start(struct sph_reader *r, struct sph_scene *scene,
                    const struct sph_read_options *options);
 int sph_nff_finish(struct sph_reader *r, struct sph_error *err);
 
-/* The whole of an NFF file, which is closed. On failure *scene holds nothing to free. */
-int sph_nff_read(FILE *file, const char *path, const struct sph_read_options *options,
-                 struct sph_scene *scene, struct sph_error *err);
+/* An NFF file, which is closed. section: NULL, or which of its scenes, sph_scene_section(). On
+ * failure *scene holds nothing to free. */
+int sph_nff_read(FILE *file, const char *path, const char *section,
+                 const struct sph_read_options *options, struct sph_scene *scene,
+                 struct sph_error *err);
 
 extern const char *const sph_nff_point[3];  /* "x", "y", "z" */
 extern const char *const sph_nff_colour[3]; /* "red", "green", "blue" */

@@ -131,24 +131,29 @@ static int make_arrays(const sphaera_arrays *a, struct sph_scene *scene, struct 
             return sph_fail(err, "%s is NULL, n_%s is %u", arrays[i].name, arrays[i].name,
                             arrays[i].n);
     if (!a->name) return sph_fail(err, "name is NULL");
-    struct sph_arrays to = {
-        .name = a->name,
-        .camera = {vec(a->from), vec(a->at), vec(a->up), a->angle, 1, a->width, a->height},
-        .n_materials = a->n_materials,
-        .n_spheres = a->n_spheres,
-        .n_triangles = a->n_triangles,
-        .n_planes = a->n_planes,
-        .n_lights = a->n_lights,
-        .materials = a->materials,
-        .spheres = a->spheres,
-        .triangles = a->triangles,
-        .normals = a->normals,
-        .planes = a->planes,
-        .lights = a->lights,
-        .colours = a->light_colours,
-        .sphere_materials = a->sphere_materials,
-        .triangle_materials = a->triangle_materials,
-        .plane_materials = a->plane_materials};
+    struct sph_arrays to = {.name = a->name,
+                            .camera = {.from = vec(a->from),
+                                       .at = vec(a->at),
+                                       .up = vec(a->up),
+                                       .angle = a->angle,
+                                       .hither = 1,
+                                       .width = a->width,
+                                       .height = a->height},
+                            .n_materials = a->n_materials,
+                            .n_spheres = a->n_spheres,
+                            .n_triangles = a->n_triangles,
+                            .n_planes = a->n_planes,
+                            .n_lights = a->n_lights,
+                            .materials = a->materials,
+                            .spheres = a->spheres,
+                            .triangles = a->triangles,
+                            .normals = a->normals,
+                            .planes = a->planes,
+                            .lights = a->lights,
+                            .colours = a->light_colours,
+                            .sphere_materials = a->sphere_materials,
+                            .triangle_materials = a->triangle_materials,
+                            .plane_materials = a->plane_materials};
     memcpy(to.background, a->background, sizeof to.background);
     memcpy(to.ambient, a->ambient, sizeof to.ambient);
     return sph_scene_of_arrays(&to, scene, err);
