@@ -1,7 +1,7 @@
 # sphaera_cocotb.py - agent of rt_core's ports for cocotb, with scoreboard and coverage
 # SPDX-License-Identifier: Apache-2.0
-"""Needs cocotb 2 and the package sphaera (docs/reference/library.md); docs/guide/verification_ip.md
-has an example. Whatever waits, waits by a seeded choice, so that a run repeats."""
+"""Needs cocotb 2 and the package sphaera; docs/reference/library.md has an example. Whatever waits,
+waits by a seeded choice, so that a run repeats."""
 import random
 
 import cocotb

@@ -1,7 +1,7 @@
 // sphaera_pkg.sv - the golden model in a bench of SystemVerilog: scoreboard of a core, single units
 // SPDX-License-Identifier: Apache-2.0
 //
-// DPI-C onto libsphaera, nothing else: docs/guide/verification_ip.md. Names that begin with
+// DPI-C onto libsphaera, nothing else: docs/reference/library.md. Names that begin with
 // sphaera_ are functions of sphaera.h; structs of it are passed as arrays of their words.
 `timescale 1ns / 1ps
 package sphaera_pkg;

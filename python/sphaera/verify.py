@@ -1,6 +1,6 @@
 # verify.py - hardware against the golden model: frames, and single units
 # SPDX-License-Identifier: Apache-2.0
-"""For benches in Python, such as those of cocotb: docs/guide/verification_ip.md."""
+"""For benches in Python, such as those of cocotb: docs/reference/library.md."""
 from typing import Any, Mapping, NamedTuple, Sequence, Tuple, Union
 
 from ._library import call, ffi, lib, made, text
