@@ -131,11 +131,18 @@ package sphaera_pkg;
     class units;
         int checks, differ;
 
-        local function bit same(bit equal, string text);
+        local function bit same(bit equal, string of, string got, string wanted);
             checks++;
-            if (!equal && differ == 0) $display("%s", text);
+            if (!equal && differ == 0) $display("%s: %s, expected %s", of, got, wanted);
             if (!equal) differ++;
             return equal;
+        endfunction
+        local function string show_vector(int u[3], int unsigned scale, int shift);
+            return $sformatf("%0d,%0d,%0d scale %0d shift %0d", u[0], u[1], u[2], scale, shift);
+        endfunction
+        local function string show_leaf(bit hit, bit far_root, bit exit, bit [127:0] disc,
+                                        longint b);
+            return $sformatf("hit %b far %b exit %b disc %h b %0d", hit, far_root, exit, disc, b);
         endfunction
 
         // rt_unit: v of `bits` bits; u, scale (out_y_o), shift (out_h_o)
@@ -145,9 +152,8 @@ package sphaera_pkg;
             int unsigned y;
             if (sphaera_model_unit_vector(bits, v, e, y, h, error) != 0) stop(error);
             return same(u[0] == e[0] && u[1] == e[1] && u[2] == e[2] && scale == y && shift == h,
-                $sformatf("unit vector of %0d,%0d,%0d: %0d,%0d,%0d scale %0d shift %0d, %s%0d,%0d,%0d scale %0d shift %0d",
-                          v[0], v[1], v[2], u[0], u[1], u[2], scale, shift, "expected ", e[0],
-                          e[1], e[2], y, h));
+                        $sformatf("unit vector of %0d,%0d,%0d", v[0], v[1], v[2]),
+                        show_vector(u, scale, shift), show_vector(e, y, h));
         endfunction
 
         // rt_isqrt: the whole root, also of a unit that gives its first `bits` bits (0: all)
@@ -157,8 +163,8 @@ package sphaera_pkg;
             int i;
             if (sphaera_model_root(x[127:64], x[63:0], bits, e, i, error) != 0) stop(error);
             return same(value == e && inexact == i[0],
-                $sformatf("root of %h: %h inexact %b, expected %h inexact %b", x, value, inexact, e,
-                          i[0]));
+                        $sformatf("root of %h", x), $sformatf("%h inexact %b", value, inexact),
+                        $sformatf("%h inexact %b", e, i[0]));
         endfunction
 
         // rt_quotient
@@ -169,15 +175,15 @@ package sphaera_pkg;
             int e;
             if (sphaera_model_quotient(key, key_bits, a, a_bits, pq, m, e, error) != 0) stop(error);
             return same(mant == m && exp == e,
-                $sformatf("quotient of %h and %h: %h exp %0d, expected %h exp %0d", key, a, mant,
-                          exp, m, e));
+                        $sformatf("quotient of %h and %h", key, a),
+                        $sformatf("%h exp %0d", mant, exp), $sformatf("%h exp %0d", m, e));
         endfunction
 
         // rt_leaf of W and WD bits: disc, 2W+2WD bits, and b count of a hit without exit alone
-        function bit leaf(int w_bits, int wd_bits, longint origin[3], longint direction[3], longint centre[3],
-                          longint radius, bit [23:0] id, bit [23:0] skip_id, bit skip_inside,
-                          bit shadow, bit inside_on, bit hit, bit far_root, bit exit,
-                          bit [127:0] disc, longint b);
+        function bit leaf(int w_bits, int wd_bits, longint origin[3], longint direction[3],
+                          longint centre[3], longint radius, bit [23:0] id, bit [23:0] skip_id,
+                          bit skip_inside, bit shadow, bit inside_on, bit hit, bit far_root,
+                          bit exit, bit [127:0] disc, longint b);
             byte error[ERROR];
             longint w[13], r[6];
             bit [127:0] wanted;
@@ -194,9 +200,10 @@ package sphaera_pkg;
             wanted = {r[4], r[3]} & ((128'd1 << 2 * (w_bits + wd_bits)) - 128'd1);
             return same(hit == r[0][0] && (!hit || (far_root == r[0][32] && exit == r[1][0])) &&
                         (!hit || exit || (disc == wanted && b == r[2])),
-                $sformatf("leaf at %0d,%0d,%0d radius %0d: hit %b far %b exit %b disc %h b %0d, %s%b %b %b %h %0d",
-                          centre[0], centre[1], centre[2], radius, hit, far_root, exit, disc, b,
-                          "expected ", r[0][0], r[0][32], r[1][0], wanted, r[2]));
+                        $sformatf("leaf at %0d,%0d,%0d radius %0d", centre[0], centre[1],
+                                  centre[2], radius),
+                        show_leaf(hit, far_root, exit, disc, b),
+                        show_leaf(r[0][0], r[0][32], r[1][0], wanted, r[2]));
         endfunction
 
         // rt_filter
@@ -219,8 +226,10 @@ package sphaera_pkg;
             w[15] = radius;
             if (sphaera_model_filter(w, p, n, error) != 0) stop(error);
             return same(pass == p[0] && (!pass || near_depth == n),
-                $sformatf("filter of %0d,%0d,%0d radius %0d: pass %b near %0d, expected %b near %0d",
-                          centre[0], centre[1], centre[2], radius, pass, near_depth, p[0], n));
+                        $sformatf("filter of %0d,%0d,%0d radius %0d", centre[0], centre[1],
+                                  centre[2], radius),
+                        $sformatf("pass %b near %0d", pass, near_depth),
+                        $sformatf("pass %b near %0d", p[0], n));
         endfunction
 
         // rt_texel_filter: texels 0xBBGGRR
@@ -231,7 +240,7 @@ package sphaera_pkg;
             int unsigned e;
             if (sphaera_model_texel(near_texels, far_texels, near_weights, far_weights, level, e,
                                     error) != 0) stop(error);
-            return same(value == e, $sformatf("texel: %h, expected %h", value, e));
+            return same(value == e, "texel", $sformatf("%h", value), $sformatf("%h", e));
         endfunction
     endclass
 endpackage

@@ -2,11 +2,10 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * cc core.c -o core $(pkg-config --cflags --libs sphaera)
- * ./core SCENE.nff X Y     registers, memory, parameters, counters; the stages of a pixel's rays
+ * ./core SCENE.nff     registers, memory, parameters, counters; stages of the middle pixel
  */
 #include <inttypes.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 #include <sphaera/sphaera.h>
 
@@ -48,14 +47,15 @@ int main(int argc, char **argv) {
     sphaera_machine *machine = NULL;
     sphaera_frame *frame = NULL;
     sphaera_pixel *pixel = NULL;
-    if (argc != 4) {
-        fprintf(stderr, "usage: core SCENE.nff X Y\n");
+    if (argc != 2) {
+        fprintf(stderr, "usage: core SCENE.nff\n");
         return 2;
     }
     int bad = sphaera_scene_read(argv[1], 0, &scene, &error) ||
               sphaera_build(scene, NULL, &machine, &error) ||
               sphaera_render(machine, 0, &frame, &error) ||
-              sphaera_pixel_trace(machine, atoi(argv[2]), atoi(argv[3]), &pixel, &error);
+              sphaera_pixel_trace(machine, sphaera_machine_width(machine) / 2,
+                                  sphaera_machine_height(machine) / 2, &pixel, &error);
     if (bad) fprintf(stderr, "core: %s\n", error.text);
     if (!bad) put_core(machine, frame);
     if (!bad) put_stages(pixel);

@@ -1,9 +1,9 @@
 # run.py - an example of cocotb in Icarus
 # SPDX-License-Identifier: Apache-2.0
-"""usage, in the repository's root: python3 examples/verification/run.py core|top MACHINE.sph FOLDER [RTL]
+"""usage: python3 examples/verification/run.py core|top MACHINE.sph FOLDER [RTL]
 
-Builds rt_core or rt_top for what the machine asks for, of the sources in rtl or RTL, in FOLDER, and
-runs cocotb_core.py or cocotb_top.py. Exits with 1 if a test fails."""
+In the repository's root. Builds rt_core or rt_top for what the machine asks for, of the sources in
+rtl or RTL, in FOLDER, and runs cocotb_core.py or cocotb_top.py. Exits with 1 if a test fails."""
 import sys
 from pathlib import Path
 

@@ -6,8 +6,8 @@
 `timescale 1ns / 1ps
 module units_tb;
     import sphaera_pkg::*;
-    localparam RUNS = 2000, W = 16, WD = 17, KW = W + WD + 2, AW = 2 * WD, PQ = 17, XW = 2 * (W + WD);
-    localparam FW = 14;
+    localparam RUNS = 2000, W = 16, WD = 17, PQ = 17, FW = 14;
+    localparam KW = W + WD + 2, AW = 2 * WD, XW = 2 * (W + WD);
     logic clk = 0, rst = 1;
     units model = new;
     int   done[6];
@@ -139,7 +139,8 @@ module units_tb;
                 centre[i] = n.centre[i];
             end
             void'(model.leaf(W, WD, origin, direction, centre, n.radius, n.id, n.skip,
-                             n.skip_inside, n.shadow, 1'b1, hit, far_root, leaves, 128'(disc), longint'(b)));
+                             n.skip_inside, n.shadow, 1'b1, hit, far_root, leaves, 128'(disc),
+                             longint'(b)));
             done[3]++;
         end
     end

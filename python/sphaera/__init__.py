@@ -27,6 +27,6 @@ from .verify import Scoreboard
 
 NONE = Frame.NONE
 __version__ = version()
-__all__ = ["Error", "Frame", "Hit", "Hits", "Layers", "Machine", "NONE", "Operand", "Pixel", "Price",
-           "Ray", "Record", "Row", "Scene", "Scoreboard", "Stage", "counter_names", "exact_counters", "parse",
-           "read", "register_names", "scene_of", "verify", "version"]
+__all__ = ["Error", "Frame", "Hit", "Hits", "Layers", "Machine", "NONE", "Operand", "Pixel",
+           "Price", "Ray", "Record", "Row", "Scene", "Scoreboard", "Stage", "counter_names",
+           "exact_counters", "parse", "read", "register_names", "scene_of", "verify", "version"]

@@ -45,7 +45,8 @@ def filled(kind: str, init: Any, words: Dict[str, Any]) -> Tuple[Any, List[Any]]
     kept = []
     for name, value in words.items():
         if name not in fields or name in ("size", "user"):
-            raise TypeError(f"{name} is none of {', '.join(sorted(set(fields) - {'size', 'user'}))}")
+            known = ", ".join(sorted(set(fields) - {"size", "user"}))
+            raise TypeError(f"{name} is none of {known}")
         if value is None:
             continue
         if fields[name].type.kind == "pointer" and fields[name].type.item.cname == "char":

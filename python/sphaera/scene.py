@@ -90,8 +90,8 @@ class Scene:
 def read(path: PathLike, at: int = 0, strict: bool = False, *, time: Optional[float] = None,
          round: float = 0,  # pylint: disable=redefined-builtin
          skip_unsupported: bool = False, progress: Optional[Progress] = None) -> Scene:
-    """Reads a scene file (NFF, AFF), a molecule (PDB, mmCIF, XYZ) or points (CSV). Where there is no
-    file of this name, it may be a kind of `sphaera gen`, such as "random:256".
+    """Reads a scene file (NFF, AFF), a molecule (PDB, mmCIF, XYZ) or points (CSV). Where there is
+    no file of this name, it may be a kind of `sphaera gen`, such as "random:256".
 
     at                frame that moving primitives are moved to, 0 to 65535
     strict            what is not used as it stands is an Error
@@ -130,7 +130,7 @@ def rows(name: str, given: Any, shape: Tuple[int, ...], dtype: Any = np.float64)
 
 
 def numbers(name: str, given: Any, n: int) -> Any:
-    """Numbers of materials, [n]; ValueError, by name, if there are not so many or one is below 0."""
+    """Numbers of materials, [n]; ValueError, by name, if there are not so many or one is < 0."""
     array = np.asarray(given)
     if array.shape != (n,):
         raise ValueError(f"{name} has shape {array.shape}, not {(n,)}")

@@ -16,7 +16,8 @@ class Scoreboard:
         self._pointer = made(lib.sphaera_scoreboard_new, lib.sphaera_scoreboard_free,
                              "sphaera_scoreboard", machine._pointer, threads)
 
-    def pixel(self, x: int, y: int, colours: Sequence[int], id: int,  # pylint: disable=redefined-builtin
+    def pixel(self, x: int, y: int, colours: Sequence[int],
+              id: int,  # pylint: disable=redefined-builtin
               key: int, visits: int, texture: int) -> bool:
         """A pixel of the pixel port; colours: Rendering, L1, L2, each 0xBBGGRR. One outside the
         window, or that came before, is a difference."""
@@ -102,7 +103,7 @@ def leaf(origin: Sequence[int], direction: Sequence[int], centre: Sequence[int],
 
 def node_filter(**operands: Any) -> Tuple[bool, int]:
     """rt_filter: whether a child may hold a hit, and the least depth that it reaches. operands, as
-    the ports of rt_filter: origin, least, p_a, p_b, q, axis, negative, depth_max, centre, radius."""
+    its ports: origin, least, p_a, p_b, q, axis, negative, depth_max, centre, radius."""
     passes, near = ffi.new("int *"), ffi.new("int32_t *")
     call(lib.sphaera_model_filter, ffi.new("sphaera_filter *", operands), passes, near)
     return bool(passes[0]), near[0]

@@ -2,7 +2,7 @@
 # test_vip.sh - the verification IP: its examples against the core, and against planted faults
 # SPDX-License-Identifier: Apache-2.0
 #
-# Verilator compiles for minutes, and cocotb comes by `make bus-setup`: with ALL=1, as in `make vip`;
+# Verilator compiles for minutes, cocotb comes by `make bus-setup`: with ALL=1, as in `make vip`;
 # what is absent is skipped. tests/flow/test_python.sh tries scoreboard and units themselves.
 # VERILATOR names another one than that of the PATH.
 set -u
@@ -95,7 +95,8 @@ check "the package sphaera is there" env B="$BUILD" "$venv/bin/pip" install -q -
 bad_agent() { # example, pattern
     ! agent "$1" "$TMP/cocotb-$1-bad" "$TMP/bad" && has "$2" "$TMP/said"
 }
-check "cocotb, core: frames as the model draws them, every bin met" agent core "$TMP/cocotb-core" rtl
+check "cocotb, core: frames as the model draws them, every bin met" agent core "$TMP/cocotb-core" \
+    rtl
 check "... with a fault its pixel is shown with its stages" bad_agent core \
     'ray 0 primary [|] set-up'
 check "cocotb, top: a frame as the model draws it, every bin met" agent top "$TMP/cocotb-top" rtl

@@ -78,7 +78,7 @@ check "... is the scene of its file" sh -c "'$usr/bin/sphaera' render table.nff 
     grep -q \"^frame   \$(cat hash)\" said"
 check "... and a picture of one pixel for four" sh -c 'oiiotool --info table.exr | grep "64 x  *48"'
 in_memory() { # what core.c prints is what the tool exports and counts
-    ./core "$root/scenes/paper5.nff" 30 24 >core.txt &&
+    ./core "$root/scenes/paper5.nff" >core.txt &&
         "$usr/bin/sphaera" build "$root/scenes/paper5.nff" --effects all -o core.sph &&
         "$usr/bin/sphaera" export --hex core core.sph || return 1
     first=$(grep -v '^//' core.mem.hex | head -n 1)
@@ -86,7 +86,7 @@ in_memory() { # what core.c prints is what the tool exports and counts
         cut -c57-64)\$" core.txt && has '^core shadow.reflect2' core.txt &&
         has '^ray 0 stage root: root ' core.txt || return 1
     "$usr/bin/sphaera" render core.sph --counters >counted
-    visits=$(awk '/ node_visits / { print $NF }' counted)
+    visits=$(awk '/^node_visits / { print $NF }' counted)
     has "^expect node_visits $visits\$" core.txt
 }
 check "registers, memory, parameters, counters, stages" in_memory
@@ -189,7 +189,7 @@ if command -v cmake >said; then
         cmake --build cmake/build"
     for program in by_cmake cmake_static; do
         check "... $program runs" sh -c "env -u LD_LIBRARY_PATH ./cmake/build/$program \
-            '$root/scenes/paper5.nff' 30 24 | diff core.txt -"
+            '$root/scenes/paper5.nff' | diff core.txt -"
     done
     sed 's/sphaera 1.0/sphaera 2/' CMakeLists.txt >cmake/CMakeLists.txt
     check "... but not of another major version" sh -c "! cmake -S cmake -B cmake/other \
