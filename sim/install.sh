@@ -71,9 +71,10 @@ install)
         "$to/lib/cmake/sphaera" "$to/share/sphaera/vip" \
         "$to/share/man/man1" "$bash" "$zsh"
     install -m 755 "$BUILD/sphaera" "$to/bin"
-    install -m 755 "$BUILD/sphaera_image.so" "$to/lib/sphaera/image.so"
-    [ ! -e "$BUILD/sphaera_view.so" ] ||
-        install -m 755 "$BUILD/sphaera_view.so" "$to/lib/sphaera/view.so"
+    for part in image mesh view; do # each may be missing
+        [ ! -e "$BUILD/sphaera_$part.so" ] ||
+            install -m 755 "$BUILD/sphaera_$part.so" "$to/lib/sphaera/$part.so"
+    done
     install -m 644 cmodel/sphaera/sphaera.h cmodel/sphaera/sphaera.hpp "$to/include/sphaera"
     install -m 644 vip/*.sv vip/*.py "$to/share/sphaera/vip"
     install -m 755 "$dist/$shared" "$to/lib"
@@ -88,9 +89,9 @@ install)
     install -m 644 "$dist/complete.zsh" "$zsh/_sphaera"
     ;;
 uninstall)
-    for file in bin/sphaera lib/sphaera/image.so lib/sphaera/view.so include/sphaera/sphaera.h \
-        include/sphaera/sphaera.hpp lib/cmake/sphaera/sphaera-config.cmake \
-        lib/cmake/sphaera/sphaera-config-version.cmake \
+    for file in bin/sphaera lib/sphaera/image.so lib/sphaera/mesh.so lib/sphaera/view.so \
+        include/sphaera/sphaera.h include/sphaera/sphaera.hpp \
+        lib/cmake/sphaera/sphaera-config.cmake lib/cmake/sphaera/sphaera-config-version.cmake \
         "lib/$shared" "lib/libsphaera.so.$major" lib/libsphaera.so lib/libsphaera.a \
         lib/pkgconfig/sphaera.pc; do
         rm -f "$to/$file"

@@ -18,9 +18,9 @@ class CoreAgent:
     order, beat by beat, pixels that wait, counters. Every pixel goes to a sphaera.Scoreboard."""
 
     BINS = ("lines of two tags wait", "line overtakes another", "beats of lines alternate",
-            "request waits", "answer waits", "pixel waits", "pixel out of raster order",
-            "pixel that hits", "pixel of the background", "pixel that mirrors",
-            "frame after another", "frame that keeps caches")
+            "request waits", "pixel waits", "pixel out of raster order", "pixel that hits",
+            "pixel of the background", "pixel that mirrors", "frame after another",
+            "frame that keeps caches")
 
     def __init__(self, dut, machine, *, seed=1, pauses=30, waiting=4):
         """dut: rt_core, whose ports have its names. machine: sphaera.Machine that it has room for.
@@ -79,8 +79,6 @@ class CoreAgent:
                 if sends[2] == self.beats:
                     asked.remove(sends)
                 last, sends = sends, None
-            elif sends:
-                self.coverage.sample("answer waits")
             if not sends and asked and not self.pause():
                 firsts = {}  # of each tag
                 for line in asked:
