@@ -65,6 +65,18 @@ struct Pixel {
     std::vector<Stage> stages;
 };
 
+// A row of what accuracy costs; why is empty, or says that nothing could be built.
+struct PriceRow {
+    std::string name, why;
+    sphaera_price_row row; // its texts are those above
+};
+
+// best: number of the cheapest row that keeps what was asked for; -1: none does.
+struct Price {
+    std::vector<PriceRow> rows;
+    int best;
+};
+
 namespace detail {
 template <class T, void (*FREE)(T *)> struct Free {
     void operator()(T *p) const { FREE(p); }
@@ -269,6 +281,19 @@ class Scene {
     Machine build(const BuildOptions &options = BuildOptions()) const {
         return Machine(detail::make<sphaera_machine>(
             sphaera_build, p.get(), static_cast<const sphaera_build_options *>(&options)));
+    }
+    Price price(const BuildOptions &options = BuildOptions(), double keep_pixels = 0,
+                double keep_psnr = 0, uint32_t most = 0) const {
+        detail::Handle<sphaera_price, sphaera_price_free> of(detail::make<sphaera_price>(
+            sphaera_price_measure, p.get(), static_cast<const sphaera_build_options *>(&options),
+            keep_pixels, keep_psnr, most));
+        Price all = {{}, sphaera_price_best(of.get())};
+        for (sphaera_price_row row : detail::rows<sphaera_price_row>(sphaera_price_get, of.get())) {
+            PriceRow told = {row.name, row.why ? row.why : "", row};
+            told.row.name = told.row.why = nullptr;
+            all.rows.push_back(std::move(told));
+        }
+        return all;
     }
     const sphaera_scene *get() const { return p.get(); }
 

@@ -45,6 +45,7 @@ check "C" compile "${CC:-gcc}" c/render.c render -std=c99
 check "C, arrays" compile "${CC:-gcc}" c/arrays.c arrays -std=c99
 check "C, core" compile "${CC:-gcc}" c/core.c core -std=c99
 check "C++, rays" compile "${CXX:-g++}" cpp/rays.cpp batch "-std=c++11 -O1"
+check "C++, machine" compile "${CXX:-g++}" cpp/machine.cpp machine "-std=c++11 -O1"
 check "C++" compile "${CXX:-g++}" cpp/query.cpp query "-std=c++11 -Wno-sign-conversion -pthread"
 # shellcheck disable=SC2046,SC2086  # words
 check "C, with the static library" "${CC:-gcc}" examples/c/render.c -o "$TMP/static" \
@@ -90,6 +91,13 @@ in_memory() { # what core.c prints is what the tool exports and counts
     has "^expect node_visits $visits\$" core.txt
 }
 check "registers, memory, parameters, counters, stages" in_memory
+whole_machine() {
+    ./machine >known && cat known && ! has ': NO$' known && [ "$(grep -c ': yes$' known)" = 4 ] &&
+        has '^arrays, row 3: left out: sphere that stands there twice' known &&
+        has '^core lights1.spans, [0-9]+ parameters' known && has '^rays_primary [1-9]' known &&
+        has '^reference keeps' known && has '^error: directions.0. has no length' known
+}
+check "a machine and all that is known of it, in C++" whole_machine
 for accel in bvh4 bih box4 brute; do
     check "a batch of rays, $accel: at least 0.8 of the frame's rate" sh -c "./batch \
         '$root/scenes/paper100.nff' $accel >said && cat said && awk '\$7 < 0.8 { exit 1 }' said"
