@@ -11,9 +11,10 @@ LIBRARY_C := $(API_C) $(IMAGE_C) $(LIB_C)
 # The shared one loads OpenImageIO when a picture is asked for; a static one is linked with it.
 SHARED_O  := $(call objects,obj/,$(LIBRARY_C) $(LAZY_C))
 STATIC_O  := $(call objects,obj/,$(LIBRARY_C) $(IMAGE_CXX))
-$D/exports: cmodel/sphaera/sphaera.h
+# Names of sphaera.h have its version: that of a program built with another one is not found.
+$D/exports: cmodel/sphaera/sphaera.h VERSION
 	@mkdir -p $D
-	$(Q)printf '{ global: sphaera_*; local: *; };\n' >$@
+	$(Q)printf 'SPHAERA_%s { global: sphaera_*; local: *; };\n' $(SOVERSION) >$@
 
 $D/$(SO): $(SHARED_O) $D/exports $B/sources VERSION
 	$(call say,LD,$(@F))
