@@ -21,6 +21,12 @@ run aff gcc 400
 run aff clang 200
 run pdb gcc 200
 run pdb clang 100
+if [ -x "$fuzz/gcc/fuzz_mesh" ]; then
+    run mesh gcc 100
+    run mesh clang 50
+else
+    echo "# meshes are skipped: built without assimp (make mesh-setup)"
+fi
 run machine gcc 800
 run machine clang 400
 run frame gcc 500
