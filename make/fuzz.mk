@@ -10,7 +10,7 @@
 # `make test` runs those of gcc and clang for some seconds (tests/fuzz/test_fuzz.sh).
 
 FUZZ       := $B/fuzz
-FUZZ_NAMES := nff aff pdb machine frame options image $(if $(ASSIMP),mesh)
+FUZZ_NAMES := nff aff pdb machine frame options $(if $(OIIO),image) $(if $(ASSIMP),mesh)
 FUZZ_C     := tests/fuzz/driver.c tests/fuzz/common.c tests/fuzz/driver.c tests/fuzz/scene.c
 AFL_C      := tests/fuzz/afl.c tests/fuzz/common.c tests/fuzz/scene.c
 # The harness of options has the tool in it, parted from glibc's argp, and no pictures.
@@ -103,7 +103,7 @@ $(foreach h,plain gcc clang afl,$(eval $(call fuzz_how,$h)))
 
 FUZZ_TESTED := $(foreach h,gcc clang,$(patsubst %,$(FUZZ)/$h/fuzz_%,nff aff pdb machine frame \
                    $(if $(ASSIMP),mesh))) \
-               $(patsubst %,$(FUZZ)/plain/fuzz_%,machine options image)
+               $(patsubst %,$(FUZZ)/plain/fuzz_%,machine options $(if $(OIIO),image))
 tests/fuzz/test_fuzz.sh: | $(FUZZ_TESTED)
 
 FUZZ_ASKED := $(or $(HARNESS),$(FUZZ_NAMES))

@@ -32,7 +32,7 @@ run machine clang 400
 run frame gcc 500
 run frame clang 500
 run options plain 3000
-run image plain 60
+[ ! -x "$fuzz/plain/fuzz_image" ] || run image plain 60
 
 # ---- what holds an input to be wrong does so ----
 noticed() { # name, what is said, harness, file: it ends with an input that is kept
