@@ -101,6 +101,7 @@ GROUPS = {
         ("textures-page", "textures.page", "PAGE ACCURACY FOLDER PICTURES SIZE RTL_SIZE NAME...",
          "docs/results/texture_results.md"),
         ("fuzz-page", "fuzz", "RUNS PAGE", "what make fuzz has run"),
+        ("mesh-time", "mesh", "TOOL FOLDER PAGE", "what a mesh of a million triangles takes"),
     ),
     "what a run left": (
         ("report", "report.main", "--csv=FILE FOLDER", "report.html of make sim"),
