@@ -118,7 +118,7 @@ LAZY_C     := cmodel/image/lazy.c
 IMAGE_C    := $(filter-out $(LAZY_C),$(filter cmodel/image/%,$(C_FILES)))
 API_C      := $(filter cmodel/sphaera/%,$(C_FILES))
 
-LIB    := $B/libsphaera.a
+ARCHIVE := $B/libsphaera.a
 IMAGE  := $B/libsphaera_image.a
 PICTURE := $B/sphaera_image.so
 VIEWER := $(if $(SDL),$B/sphaera_view.so)

@@ -7,6 +7,7 @@
 #   icarus   build/sim/KEY/tb_core.vvp
 #   cxxrtl   build/sim/KEY/tb_core_cxxrtl
 #   ecp5, xc7  build/sim/KEY/FAMILY.json, the netlist
+#   silicon  build/sim/KEY/core.so, cells of the library LIBERTY as a program; memories of MACROS
 #   netlist  build/sim/tb_core_netlist, which simulates any of these
 # KEY, which sim/core.sh gives, names every parameter that shapes the core; what it is elaborated
 # and compiled with stands, with the versions of these tools, in files `flags` of build/sim/KEY and
@@ -33,7 +34,7 @@ STAGES  ?= 0
 include make/verilated.mk
 
 K   := $S/$(KEY)
-LIB := $B/libsphaera.a
+ARCHIVE := $B/libsphaera.a
 
 CXXFLAGS := -std=c++17 -O2 -Wall -Wextra -Icmodel -Itb/core
 LIBS     := -pthread -ljansson -lm
@@ -66,13 +67,14 @@ ELABORATE := iverilog -g2005 -Wall -Wno-timescale -Itb/core \
 COMPILE_CORE := $(if $(TRACED),$(subst $(PRECOMPILED:%=-include-pch %),,$(COMPILE)),$(COMPILE)) \
                     -isystem $K -DVM_TRACE=$(WAVES) -DVM_TRACE_FST=$(WAVES)
 
-.PHONY: tools core icarus cxxrtl ecp5 xc7 netlist
+.PHONY: tools core icarus cxxrtl ecp5 xc7 silicon netlist
 tools: $S/tb_core_icarus $(SHARED) $S/obj/simulate_stages.o $(VERILATED) $(TRACED) $(PRECOMPILED)
 core: $K/tb_core
 icarus: $K/tb_core.vvp
 cxxrtl: $K/tb_core_cxxrtl
 ecp5: $K/ecp5.json
 xc7: $K/xc7.json
+silicon: $K/core.so
 netlist: $S/tb_core_netlist
 
 $S/obj/flags: FORCE
@@ -86,7 +88,7 @@ $S/obj/%.o: tb/core/%.cpp $S/obj/flags
 	@mkdir -p $(@D)
 	$(CCACHE) $(CXX) $(CXXFLAGS) -MMD -MP -c $< -o $@
 
-$S/tb_core_icarus: $(SHARED) $S/obj/simulate_icarus.o $(LIB)
+$S/tb_core_icarus: $(SHARED) $S/obj/simulate_icarus.o $(ARCHIVE)
 	$(CXX) $(LINKER) $^ $(LIBS) -o $@
 
 # Nobody reads the sinks of unused signals (`wire unused = ...`), but Icarus would spend a fifth of
@@ -123,7 +125,7 @@ $K/core_cxxrtl.o: tb/core/simulate_cxxrtl.cpp $K/core_cxxrtl/core.cpp
 	    -I$(dir $(word 2,$^)) -isystem $$(yosys-config --datdir)/include \
 	    -DYOSYS_VERSION='"$(shell yosys -V)"' -MMD -MP -c $< -o $@
 
-$K/tb_core_cxxrtl: $(SHARED) $K/core_cxxrtl.o $S/obj/simulate_host.o $(LIB)
+$K/tb_core_cxxrtl: $(SHARED) $K/core_cxxrtl.o $S/obj/simulate_host.o $(ARCHIVE)
 	$(CXX) $(LINKER) $^ $(LIBS) -o $@
 
 # The core as cells of a family, and what simulates them.
@@ -132,13 +134,21 @@ $K/ecp5.json $K/xc7.json: $K/%.json: $(RTL_FILES) synth/cells.sh synth/folders.s
 	@mkdir -p $(@D)
 	RTL=$(RTL) sh synth/cells.sh $* $@ $(PARAMETERS)
 
+# The core as cells of a library: what Yosys maps, then areas, times, energies and the program.
+$K/silicon.flags: FORCE
+	$(call stamp,$(PARAMETERS),$(YOSYS))
+$K/silicon.json: $(RTL_FILES) synth/silicon.sh synth/folders.sh $K/silicon.flags
+	YOSYS='$(YOSYS)' RTL=$(RTL) sh synth/silicon.sh '$(LIBERTY)' rt_core $@ $(PARAMETERS)
+$K/core.so: $K/silicon.json $(wildcard lab/silicon/*.py) tb/netlist/gates.c tb/netlist/gates.h
+	python3 -m lab silicon-core $< '$(LIBERTY)' '$(MACROS)' $(@D)
+
 NETLIST := $(patsubst tb/netlist/%.cpp,$S/obj/netlist_%.o,$(wildcard tb/netlist/*.cpp))
 $(NETLIST): $S/obj/netlist_%.o: tb/netlist/%.cpp $S/obj/flags
 	@mkdir -p $(@D)
 	$(CCACHE) $(CXX) $(CXXFLAGS) -MMD -MP -c $< -o $@
 
 $S/obj/simulate_netlist.o: CXXFLAGS += -Itb
-$S/tb_core_netlist: $(SHARED) $S/obj/simulate_netlist.o $S/obj/simulate_host.o $(NETLIST) $(LIB)
+$S/tb_core_netlist: $(SHARED) $S/obj/simulate_netlist.o $S/obj/simulate_host.o $(NETLIST) $(ARCHIVE)
 	$(CXX) $(LINKER) $^ $(LIBS) -o $@
 
 $(VERILATED) $(TRACED): $S/obj/%.o: $(ROOT)/%.cpp $S/obj/flags
@@ -147,7 +157,7 @@ $(VERILATED) $(TRACED): $S/obj/%.o: $(ROOT)/%.cpp $S/obj/flags
 	    $(if $(filter %fst_c.cpp,$<),-DVM_TRACE=1 -DVM_TRACE_FST=1) -c $< -o $@
 
 $S/obj/simulate_stages.o: CXXFLAGS += $(HEADERS)
-$K/tb_core: $(SHARED) $K/core.o $S/obj/simulate_stages.o $(VERILATED) $(TRACED) $(LIB)
+$K/tb_core: $(SHARED) $K/core.o $S/obj/simulate_stages.o $(VERILATED) $(TRACED) $(ARCHIVE)
 	$(CXX) $(LINKER) $^ $(LIBS) $(if $(TRACED),-lz) -o $@
 
 -include $(wildcard $S/obj/*.d $K/core.d $K/core_cxxrtl.d)

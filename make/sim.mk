@@ -23,7 +23,7 @@ BUILD_OPTIONS := --profile $(BUILD_PROFILE) --depth $(DEPTH) --background $(BACK
 # What shapes a machine, and its run on a core.
 MACHINE_KEY := SCENE SEED BUILD_OPTIONS LITERAL
 SIM_KEY     := $(MACHINE_KEY) EFFECTS ENGINES PIPES LEAF_UNITS SHADES ROOT_STEP QUOTIENT_STEP \
-               SIZES SIM LATENCY STALL MEMORY CORE_MHZ WINDOW PIXEL WARM WAVES WATCHDOG
+               SIZES SIM LIB LATENCY STALL MEMORY CORE_MHZ WINDOW PIXEL WARM WAVES WATCHDOG
 # (call run,GOAL,KEY): the names of its folder and how it speaks are passed besides.
 run = $(call values,$(2) PROFILE SIZE SAMPLES V) BUILD=$B sh sim/run.sh $(1) $(2)
 # In make/core.mk RTL is a folder: what make case was given does not get there.
@@ -38,7 +38,7 @@ price: $(TOOL) ## what accuracy costs SCENE in time: table, picture; MORE=1, RTL
 	    $(MACHINE_KEY) MORE RTL LATENCY)
 
 PICTURES := $B/sim/pictures
-$(PICTURES): $B/obj/sim/pictures.o $(call objects,obj/,$(IMAGE_C) $(LAZY_C)) $(LIB)
+$(PICTURES): $B/obj/sim/pictures.o $(call objects,obj/,$(IMAGE_C) $(LAZY_C)) $(ARCHIVE)
 	$(call say,LD,$(@F))
 	@mkdir -p $(@D)
 	$(call make_whole,$(CXX) $^ $(MODEL_LIBS) -ldl)
@@ -58,6 +58,16 @@ sim: $(TOOL) $(PICTURES) ## SCENE through model and RTL, compared bit for bit; T
 case: sim ## a page of SCENE: what accuracy costs, hard tests, own core, limit; CELLS=1
 	$(Q)folder=$$($(call run,--folder sim,$(SIM_KEY))) && \
 	    $(call values,RTL CELLS DEPTH) BUILD=$B python3 -m lab case $$folder
+
+.PHONY: silicon silicon-run silicon-setup
+silicon: $(TOOL) ## area, MHz and energy of SCENE's core in cells of LIB, which draw 32x18 or SIZE
+	+$(Q)$(MAKE) --no-print-directory silicon-run SIM=silicon \
+	    $(if $(filter file,$(origin SIZE)),SIZE=32x18)
+silicon-run:
+	$(Q)$(call values,MACROS YOSYS) $(call run,silicon,$(SIM_KEY) MACROS)
+
+silicon-setup: yosys-setup ## what make silicon needs: a library of cells, OpenSTA (apt), Yosys (PyPI)
+	@sh sim/setup.sh qflow-tech-osu018 opensta
 
 .PHONY: movie-setup
 movie-setup: ## installs ffmpeg (apt), which films in .mp4 need

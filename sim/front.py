@@ -22,7 +22,8 @@ import sys
 import variables
 from words import Wrong, lines, nearest, perhaps
 
-PROGRAMS = {"icarus": "iverilog", "cxxrtl": "yosys", "ecp5": "yosys", "xc7": "yosys"}
+PROGRAMS = {"icarus": "iverilog", "cxxrtl": "yosys", "ecp5": "yosys", "xc7": "yosys",
+            "silicon": "yosys"}
 
 
 # ---- kinds of values: "" if one fits, else what is wrong ----

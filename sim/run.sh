@@ -2,7 +2,7 @@
 # run.sh - one run of `make render`, `sim`, `price` or `synth`, in a folder of its own
 # SPDX-License-Identifier: Apache-2.0
 #
-# usage: NAME=value ... sim/run.sh [--folder] render|sim|price|core NAME...
+# usage: NAME=value ... sim/run.sh [--folder] render|sim|silicon|price|core NAME...
 #   NAME...  variables that shape the run; among them SCENE as sim/scene.py takes it, SEED and
 #            BUILD_OPTIONS, of `sphaera build`, and for sim those of sim/core.sh and its options
 # Also reads PROFILE, SIZE, SAMPLES; BUILD, the build folder, with the tool in it; CSV, a file to
@@ -34,7 +34,7 @@ key() {
 }
 name=${scene#scenes/}
 case $name in /*) name=${name##*/} ;; esac
-name=$(printf '%s' "${name%.nff}" | tr -c 'A-Za-z0-9._-' _)
+name=$(printf '%s' "${name%.nff}" | sed 's/[^/]*\.nff://' | tr -c 'A-Za-z0-9._-' _)
 digest=$(key "$@" | sha256sum | cut -c 1-8)
 case $PROFILE in all | auto) ;; *) PROFILE=$(sim/cores.py profile "$PROFILE" name) ;; esac
 folder=$name-$PROFILE-${SIZE:-file}-$digest
@@ -60,7 +60,7 @@ beside "$BUILD/out/last"
 ln -s "$folder" "$new"
 named "$BUILD/out/last"
 
-if [ ! -f "$scene" ]; then
+if [ ! -f "$scene" ] && [ ! -f "${scene%:*}" ]; then
     made=$run/${scene%:*}-${scene#*:}-$SEED.nff
     "$tool" gen "$scene" --seed "$SEED" -o "$made" >"$run/gen.log"
     scene=$made
@@ -102,9 +102,15 @@ set -- --machine "$run/scene.sph" --latency "$LATENCY" --stall "$STALL" --seed "
 [ "$LITERAL" = 0 ] || set -- "$@" --literal
 [ "$WARM" = 0 ] || set -- "$@" --warm
 [ "$WAVES" = 0 ] || set -- "$@" --trace "$run/core.fst"
+[ "$goal" != silicon ] || set -- "$@" --toggles "$run/toggles"
 rc=0
 sh sim/core.sh "$@" >"$run/log" || rc=$?
 cat "$run/log"
+if [ "$goal" = silicon ]; then
+    [ "$rc" = 0 ] || exit "$rc"
+    python3 -m lab silicon "$run" "$(sh sim/core.sh --folder --machine "$run/scene.sph")" || exit 1
+    exit
+fi
 [ -f "$run/rtl.frame" ] || exit "$rc"
 "$BUILD/sim/pictures" "$run/model.frame" "$run/rtl.frame" "$run" "$SAMPLES"
 printf '%s\n' "${REPEATED:-}" >"$run/command"

@@ -1,11 +1,16 @@
 /* simulate_netlist.cpp - the core as cells that it is mapped to; see simulate_host.cpp, netlist.h
  * SPDX-License-Identifier: Apache-2.0
  *
- * --engine is the netlist as JSON. What has no initial value starts with noise. --toggles writes a
- * line an instance, tabs between: its path, then what switched in it while the core was busy
- * (toggles, flip-flops clocked, accesses of block RAM), then the same of IDLE clocks behind the
- * frame. The first line has the clocks of both in the place of the path.
+ * --engine is the netlist as JSON, or, if its name ends with .so, a netlist of standard cells that
+ * was compiled (netlist/gates.h). What has no initial value starts with noise. --toggles writes
+ * what switched while the core was busy, and in IDLE clocks behind the frame; of a compiled netlist
+ * as gates_write() has it, else a line an instance, tabs between: its path, then toggles,
+ * flip-flops clocked, accesses of block RAM while busy, then the same while idle. The first line
+ * has the clocks of both in the place of the path.
  */
+#include <dlfcn.h>
+
+#include "netlist/gates.h"
 #include "netlist/netlist.h"
 
 #include "host.h"
@@ -23,10 +28,104 @@ std::string simulator_version() {
 
 namespace {
 
+/* What simulates the cells. */
+class Engine {
+  public:
+    virtual ~Engine() = default;
+    virtual size_t bits(const char *port) const = 0;
+    virtual void set(const char *port, uint64_t value, size_t lsb = 0) = 0;
+    virtual uint64_t get(const char *port, size_t lsb = 0) const = 0;
+    virtual void settle() = 0;
+    virtual void edge() = 0;
+    enum Phase { NONE = -1, BUSY, IDLE };
+    virtual void count(Phase phase) = 0;
+    virtual void write(std::FILE *f, uint64_t busy, int idle) = 0;
+};
+
+class Interpreted : public Engine {
+  public:
+    Interpreted(const std::string &file, std::string &error) : cells_(file, error) {}
+    size_t bits(const char *port) const override { return cells_.bits(port); }
+    void set(const char *port, uint64_t value, size_t lsb) override {
+        cells_.set(port, value, lsb);
+    }
+    uint64_t get(const char *port, size_t lsb) const override { return cells_.get(port, lsb); }
+    void settle() override { cells_.settle(); }
+    void edge() override { cells_.edge(); }
+    void count(Phase phase) override { cells_.tally(phase == NONE ? nullptr : &sums_[phase]); }
+    void write(std::FILE *f, uint64_t busy, int idle) override {
+        std::fprintf(f, "%" PRIu64 " %d\n", busy, idle);
+        for (auto &sums : sums_)
+            sums.resize(cells_.instances().size());
+        for (size_t i = 0; i < cells_.instances().size(); i++) {
+            std::fputs(cells_.instances()[i].c_str(), f);
+            for (const Netlist::Switching &s : {sums_[BUSY][i], sums_[IDLE][i]})
+                std::fprintf(f, "\t%" PRIu64 "\t%" PRIu64 "\t%" PRIu64, s.toggles, s.clocked,
+                             s.accesses);
+            std::fputc('\n', f);
+        }
+    }
+
+  private:
+    Netlist cells_;
+    std::vector<Netlist::Switching> sums_[2];
+};
+
+/* A library that was compiled from the netlist: gates.h. */
+class Compiled : public Engine {
+  public:
+    Compiled(const std::string &file, std::string &error) {
+        void *library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+        if (!library) {
+            error = dlerror();
+            return;
+        }
+        find(library, "gates_bits", bits_, error);
+        find(library, "gates_set", set_, error);
+        find(library, "gates_get", get_, error);
+        find(library, "gates_settle", settle_, error);
+        find(library, "gates_edge", edge_, error);
+        find(library, "gates_count", count_, error);
+        find(library, "gates_write", write_, error);
+        decltype(&gates_start) start = nullptr;
+        find(library, "gates_start", start, error);
+        if (error.empty()) start(1);
+    }
+    size_t bits(const char *port) const override { return bits_(port); }
+    void set(const char *port, uint64_t value, size_t lsb) override { set_(port, value, lsb); }
+    uint64_t get(const char *port, size_t lsb) const override { return get_(port, lsb); }
+    void settle() override { settle_(); }
+    void edge() override { edge_(); }
+    void count(Phase phase) override { count_(phase); }
+    void write(std::FILE *f, uint64_t, int) override { write_(f); }
+
+  private:
+    template <class F>
+    static void find(void *library, const char *name, F &function, std::string &error) {
+        function = reinterpret_cast<F>(dlsym(library, name));
+        if (!function) error = dlerror();
+    }
+    decltype(&gates_bits) bits_ = nullptr;
+    decltype(&gates_set) set_ = nullptr;
+    decltype(&gates_get) get_ = nullptr;
+    decltype(&gates_settle) settle_ = nullptr;
+    decltype(&gates_edge) edge_ = nullptr;
+    decltype(&gates_count) count_ = nullptr;
+    decltype(&gates_write) write_ = nullptr;
+};
+
+std::unique_ptr<Engine> engine(const std::string &file, std::string &error) {
+    const std::string library = ".so";
+    if (file.size() > library.size() &&
+        file.compare(file.size() - library.size(), library.size(), library) == 0)
+        return std::make_unique<Compiled>(file, error);
+    return std::make_unique<Interpreted>(file, error);
+}
+
 class NetlistCore : public PortHost {
   public:
     NetlistCore(const Options &o, const sph_machine &machine, Run &run)
-        : PortHost(o, machine, run), core_(o.engine, error_) {
+        : PortHost(o, machine, run), engine_(engine(o.engine, error_)), core_(*engine_) {
         if (!error_.empty()) {
             fail(run, "%s", error_.c_str());
             return;
@@ -36,7 +135,7 @@ class NetlistCore : public PortHost {
         for (int i = 0; i < RESET; i++)
             clock();
         pins.rst = false;
-        core_.tally(nullptr);
+        core_.count(Engine::NONE);
     }
     ~NetlistCore() override {
         if (o_.toggles.empty() || run_.failure[0]) return;
@@ -46,27 +145,16 @@ class NetlistCore : public PortHost {
         sph_error err;
         sph_output out;
         bool failed = sph_output_open(&out, o_.toggles.c_str(), &err) != 0;
-        if (!failed) failed = sph_output_close(&out, write(out.file) ? 0 : 1, &err) != 0;
+        if (!failed) {
+            core_.write(out.file, busy_clocks_, IDLE);
+            failed = sph_output_close(&out, std::ferror(out.file) ? 1 : 0, &err) != 0;
+        }
         if (failed) fail(run_, "%s", err.text);
     }
 
   private:
     static const int RESET = 4; /* clocks */
     static const int IDLE = 1000;
-    using Switching = Netlist::Switching;
-    bool write(std::FILE *f) {
-        std::fprintf(f, "%" PRIu64 " %d\n", busy_clocks_, IDLE);
-        for (auto &sums : sums_)
-            sums.resize(core_.instances().size());
-        for (size_t i = 0; i < core_.instances().size(); i++) {
-            std::fputs(core_.instances()[i].c_str(), f);
-            for (const Switching &s : {sums_[0][i], sums_[1][i]})
-                std::fprintf(f, "\t%" PRIu64 "\t%" PRIu64 "\t%" PRIu64, s.toggles, s.clocked,
-                             s.accesses);
-            std::fputc('\n', f);
-        }
-        return !std::ferror(f);
-    }
     void step(const Inputs &in, Outputs &out) override {
         if (!error_.empty()) return;
         core_.set("rst", in.pins.rst);
@@ -86,7 +174,7 @@ class NetlistCore : public PortHost {
         core_.settle();
         const bool busy = core_.get("busy_o") != 0;
         if (!o_.toggles.empty()) {
-            core_.tally(busy ? &sums_[0] : idle_ ? &sums_[1] : nullptr);
+            core_.count(busy ? Engine::BUSY : idle_ ? Engine::IDLE : Engine::NONE);
             busy_clocks_ += busy;
         }
         out.req_valid = core_.get("mem_req_valid_o") != 0;
@@ -112,8 +200,8 @@ class NetlistCore : public PortHost {
     }
 
     std::string error_;
-    Netlist core_;
-    std::vector<Switching> sums_[2]; /* busy, idle */
+    std::unique_ptr<Engine> engine_;
+    Engine &core_;
     uint64_t busy_clocks_ = 0;
     bool idle_ = false;
 };

@@ -38,7 +38,7 @@ refuse sim SIM=questa ENGINES=9 STALL=100 LATENCY=-1 SIZE=axb DEPTH=11 JOBS=x PR
     EFFECTS=shadw TREE=papre ACCEL=bhv4 BACKGROUND=rekt TRAVERSE=frist SEED=x WARM=yes TARGET=ecp \
     MAX_PRIMS=0 AT=70000 LEVELS=3 ROOT_STEP=26 QUOTIENT_STEP=14 SCENE=pape5 WINDOW=4,4,4,8 V=2 \
     PIXEL=4 SAMPLES=17 ERROR=0.1,x
-for word in "SIM=questa: is none of verilator, icarus, cxxrtl, ecp5, xc7$" \
+for word in "SIM=questa: is none of verilator, icarus, cxxrtl, ecp5, xc7, silicon$" \
     "ENGINES=9: is not 1 to 8$" \
     "STALL=100: is not 0 to 99$" "LATENCY=-1: is not 1 to 100000$" "JOBS=x: is not 1 to 1024$" \
     "SIZE=axb: is no size such as 640x360" "DEPTH=11: is not 0 to 10$" \
@@ -152,15 +152,15 @@ other='SCENE=paper5 PROFILE=draft SIZE=8x8 TREE=paper ACCEL=bih MAX_PRIMS=2 MAX_
     DEPTH=1 BACKGROUND=rect TRAVERSE=first LEVELS=1 AT=1 BUILD_MORE=--inside=off EFFECTS=all
     ENGINES=2 PIPES=2 LEAF_UNITS=1 EXACTS=1 SHADES=1 ROOT_STEP=1 QUOTIENT_STEP=1 SIZES=units=1
     SEED=2 LATENCY=3 STALL=4 SIM=icarus WINDOW=0,0,1,1 PIXEL=0,0 WARM=1 LITERAL=1 WAVES=1
-    WATCHDOG=9 SAMPLES=2 ERROR=0.5 MEMORY=sdram16 CORE_MHZ=50'
+    WATCHDOG=9 LIB=x SAMPLES=2 ERROR=0.5 MEMORY=sdram16 CORE_MHZ=50'
 same='TARGET FLAT RESULTS KINDS PROVE ONLY ALL SUITE_LIMIT CORE EFFECT MUTANT N STATE OPT V B CC
     CFLAGS CXX CXXFLAGS PREFIX DESTDIR TOP LAYERS FRAMES BART BOARD CSV ENGINE FAMILY MOVIE
     FAULTS TRIALS MINUTES INPUTS HARNESS ROUTE SEEDS SEEDS_CORE JOBS TOP_DATA HD_SCENE MORE RTL
-    BLOCK CELLS IP TOP_PARAMETERS YOSYS'
+    BLOCK CELLS IP TOP_PARAMETERS YOSYS MACROS'
 for word in '' $other; do
     plain_make sim-folder JOBS=2 $word
 done >"$TMP/folders" 2>&1
-check "each of them has another folder" [ "$(sort -u "$TMP/folders" | grep -c '^build/out/')" = 36 ]
+check "each of them has another folder" [ "$(sort -u "$TMP/folders" | grep -c '^build/out/')" = 37 ]
 for word in $other $same; do echo "${word%%=*}"; done | sort >"$TMP/mine"
 sed -n 's/^## \([A-Z_][A-Z_]*\) .*/\1/p' make/variables.mk | sort >"$TMP/rules"
 check "every variable is one of them, or shapes no run" diff "$TMP/mine" "$TMP/rules"
@@ -186,7 +186,7 @@ cp scenes/paper5.nff "$elsewhere/b/x.nff"
 cp scenes/texture/*.png scenes/texture/hall.nff "$elsewhere"
 check "inside" shows scenes/inside.nff SCENE=inside
 first=$(sed -n 's,^picture \(.*\)/model.png$,\1,p' "$TMP/text") # last may be of another call
-check "effects/inside is another" shows scenes/effects/inside.nff SCENE=effects/inside
+check "effects/inside is another" shows scenes/effects/effects.nff:inside SCENE=effects/inside
 check "... and the first is as it was" [ "$("$SPHAERA" render "$first/scene.sph" |
     grep '^frame')" = "$(hash_of scenes/inside.nff)" ]
 check "a/x.nff, of the folder where make was called" shows "$elsewhere/a/x.nff" SCENE=a/x.nff

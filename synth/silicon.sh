@@ -1,0 +1,35 @@
+#!/bin/sh
+# silicon.sh - a module as cells of a standard-cell library, its memories as macros
+# SPDX-License-Identifier: Apache-2.0
+#
+# usage: synth/silicon.sh LIB MODULE FILE.json PARAMETER=VALUE...
+#   YOSYS is another one than that of the PATH; RTL another source folder
+# FILE.json holds the flat netlist, FILE.stat what Yosys counted, FILE.log what it said. Memories are
+# cells $mem_v2 in it; a table without a write port is logic. Modules are mapped one by one and then
+# put together. A Yosys that knows Booth's multipliers makes those.
+set -eu
+cd "$(dirname "$0")/.."
+lib=$1 top=$2 out=${3%.json} rtl=${RTL:-rtl} yosys=${YOSYS:-yosys}
+shift 3
+. synth/folders.sh
+. sim/beside.sh
+booth=
+! "$yosys" -p "help synth" | grep -q -e -booth || booth=-booth
+beside "$out.json"
+# YoWASP takes paths below its own folder alone: the library is brought there.
+cp "$lib" "$out.lib"
+driver=$(python3 -m lab silicon-buffer "$lib")
+printf 'set_driving_cell %s\nset_load 0.05 [all_outputs]\n' "$driver" >"$out.constr"
+nice "$yosys" -q -l "$out.log" -p "verilog_defaults -add $include -DSYNTHESIS;
+    read_verilog $(find "$rtl" -name "$top.v"); ${set_all:+chparam $set_all $top;}
+    hierarchy -check -top $top $library; read_liberty -lib -ignore_miss_func $out.lib;
+    synth $booth -top $top -run begin:fine; memory_map -rom-only;
+    opt -fast -full; opt -undriven -fine; techmap; opt -fast; opt_clean;
+    dfflibmap -liberty $out.lib; opt -fast; abc -liberty $out.lib -constr $out.constr;
+    opt_clean; setundef -zero; check -assert;
+    flatten; opt_clean; tee -q -o $out.stat stat -liberty $out.lib;
+    attrmap -remove src -remove hdlname; write_json $new" >"$out.errors" 2>&1 || {
+    tail -n 5 "$out.errors" >&2
+    exit 1
+}
+named "$out.json"
