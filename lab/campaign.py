@@ -13,7 +13,7 @@ import sys
 import tempfile
 import time
 
-from .jobs import chunks, plan, store
+from .jobs import plan, slurm, store
 from .study.keys import MODEL
 
 SOURCES = [*MODEL, "tests/hard/*.[ch]", "tool:gcc"]
@@ -26,7 +26,7 @@ def keys(options):
     """A key for each part; how many there are depends on the campaign alone."""
     given = dict(zip(options[::2], options[1::2]))
     cases = 4 * float(given["--cases"]) + EXHAUSTIVE * (given.get("--exhaustive") != "0")
-    parts = max(LEAST_PARTS, -int(-cases // (RATE * chunks.LEAST)))
+    parts = max(LEAST_PARTS, -int(-cases // (RATE * slurm.LEAST)))
     return [" ".join(["hard", *options, "--part", f"{p}/{parts}"]) for p in range(parts)], \
         cases / RATE / parts
 

@@ -1,8 +1,10 @@
 # runner.py - commands that experiments run one after the other, and results that they keep
 # SPDX-License-Identifier: Apache-2.0
 import os
+import re
 import subprocess
 import sys
+from pathlib import Path
 
 from . import intact
 from .pages import whole
@@ -20,6 +22,22 @@ def said(*words, good=(0,), **variables):
     return done.stdout
 
 
+def named(scene):
+    """The file of a scene of scenes/, or FILE:NAME of a folder's file with several."""
+    folder, _, name = scene.rpartition("/")
+    shelf = Path("scenes", folder, f"{folder}.nff")
+    return f"{shelf}:{name}" if folder and shelf.is_file() else f"scenes/{scene}.nff"
+
+
+def text_of(scene):
+    """The text of a scene file, or of FILE:NAME what all its scenes share and the own part."""
+    file, _, name = str(scene).rpartition(":")
+    if not file:
+        return Path(scene).read_text(encoding="utf-8")
+    shared, *parts = re.split(r"(?m)^scene[ \t]+", Path(file).read_text(encoding="utf-8"))
+    return shared + next(part.partition("\n")[2] for part in parts if part.split()[0] == name)
+
+
 def scene_file(tool, scene, made):
     """The file of a scene of scenes/, or of KIND:N of `sphaera gen` or protein, which is made."""
     if scene == "protein":
@@ -27,7 +45,7 @@ def scene_file(tool, scene, made):
     elif ":" in scene:
         said(tool, "gen", scene, "--seed", "1", "-o", made)
     else:
-        return f"scenes/{scene}.nff"
+        return named(scene)
     return made
 
 

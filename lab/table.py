@@ -176,7 +176,7 @@ GROUPS = {
         ("ip-page", "ip.page", "BUILD", "port tables of core.md and rt_top.md: make ip-page"),
         ("rdl", "top.rdl", "FILE", "registers of rt_top, with systemrdl-compiler"),
         ("cocotb", "top.cocotb_run", "FOLDER MACHINE FRAME DATA NAME=VALUE...", "rt_top in cocotb"),
-        ("show-files", "top.show_files", "FOLDER MACHINE FRAME", "a machine for tb_show_icarus"),
+        ("show-files", "top.golden:show_files", "FOLDER MACHINE FRAME", "a machine for tb_show_icarus"),
         ("litex-board", "litex.ulx3s", "FOLDER NAME=VALUE...", "a LiteX system of a ULX3S"),
         ("litex-sim", "litex.sim", "FOLDER MACHINE NAME=VALUE...",
          "LiteX's simulator as the board"),

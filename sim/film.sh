@@ -20,14 +20,16 @@ esac
 }
 scene=$(sim/scene.py "$SCENE")
 made=
-[ -f "$scene" ] || made=$SEED
+file=$scene
+[ -f "$file" ] || file=${scene%:*}
+[ -f "$file" ] || made=$SEED
 folder=$BUILD/film/$({
     printf '%s ' "$scene" "$made"
     echo "$BUILD_OPTIONS"
-    [ ! -f "$scene" ] || cat "$scene"
+    [ -n "$made" ] || cat "$file"
 } | sha256sum | cut -c 1-12)
 mkdir -p "$folder"
-[ -f "$scene" ] || {
+[ -z "$made" ] || {
     "$BUILD/sphaera" gen "$scene" --seed "$SEED" -o "$folder/scene.nff" >"$folder/gen.log"
     scene=$folder/scene.nff
 }

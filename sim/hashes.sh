@@ -54,8 +54,11 @@ else
 END
 fi
 n=0
-for scene in scenes/*.nff scenes/effects/*.nff scenes/facets/*.nff scenes/refraction/*.nff; do
+effects=$(sed -n 's/^scene //p' scenes/effects/effects.nff | LC_ALL=C sort |
+    sed 's|^|scenes/effects/effects.nff:|')
+for scene in scenes/*.nff $effects scenes/facets/*.nff scenes/refraction/*.nff; do
     name=${scene#scenes/} name=${name%.nff} tree=balanced
+    case $name in *:*) name=effects/${name#*:} ;; esac
     more=$(options "$name")
     case $more in *--tree=paper*) tree=paper ;; esac
     some=$(profiles "$name")

@@ -34,7 +34,7 @@ key() {
 }
 name=${scene#scenes/}
 case $name in /*) name=${name##*/} ;; esac
-name=$(printf '%s' "${name%.nff}" | tr -c 'A-Za-z0-9._-' _)
+name=$(printf '%s' "${name%.nff}" | sed 's/[^/]*\.nff://' | tr -c 'A-Za-z0-9._-' _)
 digest=$(key "$@" | sha256sum | cut -c 1-8)
 case $PROFILE in all | auto) ;; *) PROFILE=$(sim/cores.py profile "$PROFILE" name) ;; esac
 folder=$name-$PROFILE-${SIZE:-file}-$digest
@@ -60,7 +60,7 @@ beside "$BUILD/out/last"
 ln -s "$folder" "$new"
 named "$BUILD/out/last"
 
-if [ ! -f "$scene" ]; then
+if [ ! -f "$scene" ] && [ ! -f "${scene%:*}" ]; then
     made=$run/${scene%:*}-${scene#*:}-$SEED.nff
     "$tool" gen "$scene" --seed "$SEED" -o "$made" >"$run/gen.log"
     scene=$made

@@ -17,7 +17,7 @@ mkdir -p "$run"
 exec 9>"$run/.lock"
 flock 9
 find "$run" -mindepth 1 ! -name .lock -delete
-if [ ! -f "$scene" ]; then
+if [ ! -f "$scene" ] && [ ! -f "${scene%:*}" ]; then
     "$tool" gen "$scene" --seed "$SEED" -o "$run/scene.nff" >"$run/gen.log"
     scene=$run/scene.nff
 fi

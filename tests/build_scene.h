@@ -35,7 +35,8 @@ static struct sph_material mirror = {{0.8, 0.6, 0.4}, 0.5, 0.5, 10, 0, 1, 7, {0}
 /* A scene of n spheres of the same radius range in the unit cube, seen from outside. */
 static inline struct sph_scene cloud(uint32_t n, double rad) {
     struct sph_scene s = {.name = "cloud", .path = "cloud.nff", .n_lights = 2, .n_materials = 1};
-    s.camera = (struct sph_camera){{2, 3, 1.5}, {0.5, 0.5, 0.5}, {0, 0, 1}, 40, 0, 64, 48};
+    s.camera =
+        (struct sph_camera){{2, 3, 1.5}, {0.5, 0.5, 0.5}, {0, 0, 1}, 40, .width = 64, .height = 48};
     for (int l = 0; l < 2; l++)
         s.lights[l] = (struct sph_light){{3, 4.0 * l - 2, 3}, {0.7, 0.7, 2.5}, 3 + (uint32_t)l};
     s.materials = &mirror;

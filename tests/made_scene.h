@@ -37,7 +37,8 @@ static inline struct sph_scene *bare(void) {
     memset(&made, 0, sizeof made);
     struct sph_scene *s = &made.scene;
     *s = (struct sph_scene){.path = "made here", .n_lights = 1, .n_materials = MOST};
-    s->camera = (struct sph_camera){{0, 0, 10}, {0, 0, 0}, {0, 1, 0}, 30, 0, SIDE, SIDE};
+    s->camera =
+        (struct sph_camera){{0, 0, 10}, {0, 0, 0}, {0, 1, 0}, 30, .width = SIDE, .height = SIDE};
     s->lights[0] = (struct sph_light){{3, 4, 20}, {0.75, 0.75, 0.75}, 0};
     s->ambient[0] = s->ambient[1] = 0.25;
     s->spheres = made.spheres, s->facets = made.facets, s->materials = made.materials;

@@ -34,7 +34,7 @@ static inline struct sph_mip textured_mip(int width, int height, struct sph_rng 
 static inline struct sph_scene textured_scene(struct sph_material *white) {
     *white = (struct sph_material){{1, 1, 1}, 1, 0, 1, 0, 1, 1, {0}, 0};
     struct sph_scene s = {.name = "textured", .path = "textured.nff", .ambient = {1, 1, 1}};
-    s.camera = (struct sph_camera){{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, 40, 0, 32, 24};
+    s.camera = (struct sph_camera){{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, 40, .width = 32, .height = 24};
     s.n_materials = 1;
     s.materials = white;
     return s;

@@ -29,8 +29,12 @@ static inline int hits(const int32_t eye[3], const int64_t dir[3], const struct 
 static inline void random_sphere(const struct sph_profile *p, int width, int height,
                                  struct sph_ball *ball, int32_t eye[3], struct sph_rays *rays) {
     double room = ldexp(1, p->w - 1);
-    while (sph_rays_fit(width, height, between(0.5, 170), p->wd, rays, NULL))
-        continue;
+    struct sph_raster raster = {width, height, 0, {0, 0}};
+    do {
+        raster.angle = between(0.5, 170);
+        for (int i = 0; i < 2; i++)
+            raster.shift[i] = uniform() < 0.5 ? 0 : between(-1, 1);
+    } while (sph_rays_fit(&raster, p->wd, rays, NULL));
     for (int i = 0; i < 3; i++) {
         eye[i] = (int32_t)between(-room, room);
         ball->c[i] = (int32_t)between(-room, room);

@@ -101,9 +101,6 @@ static int check(const struct sph_scene *scene, const struct sph_build_options *
         return sph_fail(err, "bg_levels %d is not in 0..%d", o->bg_levels, SPH_BG_LEVELS);
     if (o->max_depth < 0 || o->max_depth > SPH_MAX_DEPTH)
         return sph_fail(err, "max_depth %d is not in 0..%d", o->max_depth, SPH_MAX_DEPTH);
-    if (o->least_weight < 0 || o->least_weight > SPH_LEAST_WEIGHT_MAX)
-        return sph_fail(err, "least_weight %d is not in 0..%d", o->least_weight,
-                        SPH_LEAST_WEIGHT_MAX);
     if (scene->n_lights < 0 || scene->n_lights > SPH_MAX_LIGHTS)
         return sph_fail(err, "%s: %d lights, at most %d", scene->path, scene->n_lights,
                         SPH_MAX_LIGHTS);
@@ -146,9 +143,14 @@ static int place_camera(const struct sph_scene *scene, const struct sph_build_op
         return sph_fail(err, "%s: a raster of %dx%d, sides are 1..%d", scene->path, width, height,
                         SPH_MAX_SIDE);
     const struct sph_profile *p = sph_build_profile(o);
+    const struct sph_raster raster =
+        sph_raster_of(&scene->camera, width, height, grid->seen_from.angle);
+    struct sph_steps steps, *turned = grid->axes == SPH_AXES_CAMERA ? NULL : &steps;
     struct sph_error why = {{0}};
-    if (sph_rays_of(width, height, grid->seen_from.angle, p, rays, &why))
+    if (sph_rays_of(&raster, p, rays, &why) ||
+        (turned && sph_rays_turn(rays, &raster, grid, p, turned, &why)))
         return sph_fail(err, "%s: profile %s: %.450s", scene->path, p->name, why.text);
+    sph_rays_tile(&scene->camera, width, height, rays, turned);
     int32_t *regs = m->regs;
     regs[SPH_REG_FRAME_W] = regs[SPH_REG_WIN_X1] = width;
     regs[SPH_REG_FRAME_H] = regs[SPH_REG_WIN_Y1] = height;
@@ -159,10 +161,7 @@ static int place_camera(const struct sph_scene *scene, const struct sph_build_op
     regs[SPH_REG_DIR_Z] = rays->z;
     regs[SPH_REG_PITCH] = rays->pitch;
     report->fov_error = rays->fov_error + grid->seen_from.off;
-    if (grid->axes == SPH_AXES_CAMERA) return 0;
-    struct sph_steps steps;
-    if (sph_rays_turn(rays, width, height, grid, p, &steps, &why))
-        return sph_fail(err, "%s: profile %s: %.450s", scene->path, p->name, why.text);
+    if (!turned) return 0;
     for (int i = 0; i < 3; i++) {
         regs[SPH_REG_DIR_X0 + i] = steps.first[i];
         regs[SPH_REG_ACROSS_X + i] = steps.across[i];
@@ -236,10 +235,10 @@ static int build(const struct sph_scene *scene, const struct sph_build_options *
 
     uint32_t n = scene->n_spheres;
     struct sph_plants plants = {balls, n, facets, profile, grid.eye, o->tree, &rays};
-    sph_progress_at(o->progress, GRID);
+    if (sph_progress_at(o->progress, GRID)) return sph_fail(err, "%s: cancelled", scene->path);
     tree->progress = sph_progress_part(o->progress, GRID, TREE);
     if (sph_emit_tree(scene, o, &plants, tree, m, report, err)) return -1;
-    sph_progress_at(o->progress, TREE);
+    if (sph_progress_at(o->progress, TREE)) return sph_fail(err, "%s: cancelled", scene->path);
 
     if (sph_emit_background(tree, balls, &rays, o, m, report, err)) return -1;
     sph_emit_colours(scene, m);

@@ -41,20 +41,23 @@ void sph_parallel_unlock(void);
 
 /* What is told, or a part of it: that between two shares of all, 0..1. */
 struct sph_progress {
-    void (*show)(void *user, int done, int all); /* NULL: nobody asked; of one thread at a time */
+    /* NULL: nobody asked; of one thread at a time. Not 0: the work is not wanted any more, its
+     * result is thrown away. */
+    int (*show)(void *user, int done, int all);
     void *user;
     double from, to;
 };
 
 enum { SPH_PROGRESS_ALL = 1000 };
 
-/* Tells that a share, 0..1, of the part is done; p may be NULL. */
-static inline void sph_progress_at(const struct sph_progress *p, double share) {
-    if (!p || !p->show) return;
+/* Tells that a share, 0..1, of the part is done; p may be NULL. What show() says: not 0: end. */
+static inline int sph_progress_at(const struct sph_progress *p, double share) {
+    if (!p || !p->show) return 0;
     double done = p->from + (p->to - p->from) * share;
     sph_parallel_lock();
-    p->show(p->user, (int)(SPH_PROGRESS_ALL * done), SPH_PROGRESS_ALL);
+    int end = p->show(p->user, (int)(SPH_PROGRESS_ALL * done), SPH_PROGRESS_ALL);
     sph_parallel_unlock();
+    return end;
 }
 
 /* The part of a part between two shares of it; p may be NULL. */

@@ -101,6 +101,20 @@ int sph_stages_order(const struct sph_stage_line *a, const struct sph_stage_line
 void sph_stages_text(const struct sph_machine *m, const struct sph_stage_line *line,
                      char text[SPH_STAGE_TEXT]);
 
+/* Operand k of a line, counted word by word; a vector is three of one name. 0; -1 behind the last.
+ */
+struct sph_operand {
+    const char *name;
+    int bits, sign; /* sign 1: two's complement */
+    sph_u128 word;  /* the low bits of it count, the others are 0 */
+    double value;   /* what it stands for; lengths in scene units */
+};
+int sph_stages_operand(const struct sph_machine *m, const struct sph_stage_line *line, int k,
+                       struct sph_operand *to);
+
+/* "set-up", "across", ... */
+const char *sph_stages_name(int stage);
+
 void sph_stages_free(struct sph_stages *s);
 
 #endif

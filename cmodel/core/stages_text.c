@@ -188,18 +188,39 @@ static void digits(char *text, sph_u128 word, int bits) {
         append(text, "%x", (unsigned)(low(word, bits) >> 4 * at & 15));
 }
 
-static void number(const struct sph_machine *m, const struct field *f, const sph_u128 *word,
-                   char *text) {
+static struct sph_operand operand(const struct sph_machine *m, const struct field *f,
+                                  const sph_u128 *word) {
     int bits = width(f->bits, sph_machine_profile(m));
-    if (f->kind == COUNT) {
-        append(text, "%" PRIu64, (uint64_t)low(*word, bits));
-        return;
-    }
-    digits(text, *word, bits);
-    if (f->kind == HEX) return;
     double value = real(m, f, *word, bits);
     if (f->kind == T) value = ldexp(value, -(int8_t)word[1]);
-    append(text, " (=%.6g)", value);
+    return (struct sph_operand){f->name, bits, f->sign, low(*word, bits), value};
+}
+
+static void number(const struct sph_machine *m, const struct field *f, const sph_u128 *word,
+                   char *text) {
+    struct sph_operand o = operand(m, f, word);
+    if (f->kind == COUNT) {
+        append(text, "%" PRIu64, (uint64_t)o.word);
+        return;
+    }
+    digits(text, o.word, o.bits);
+    if (f->kind != HEX) append(text, " (=%.6g)", o.value);
+}
+
+int sph_stages_operand(const struct sph_machine *m, const struct sph_stage_line *line, int k,
+                       struct sph_operand *to) {
+    const struct field *f = table[line->stage].field, *end = f + FIELDS;
+    if (k < 0) return -1;
+    for (int first = 0; f < end && f->name; first += f++->count)
+        if (k < first + f->count) {
+            *to = operand(m, f, &line->word[k]);
+            return 0;
+        }
+    return -1;
+}
+
+const char *sph_stages_name(int stage) {
+    return table[stage].name;
 }
 
 void sph_stages_text(const struct sph_machine *m, const struct sph_stage_line *line,

@@ -34,7 +34,7 @@ static void put_normal(const struct sph_machine *m, const int64_t v[3], const in
 
 struct sph_layer sph_layer_of(const struct sph_machine *m, const struct sph_pixel *pixel, int x,
                               int y) {
-    struct sph_layer layer = {.depth = INFINITY, .level = -1};
+    struct sph_layer layer = {.depth = INFINITY, .distance = INFINITY, .level = -1};
     size_t line = (uint32_t)m->regs[SPH_REG_PRIM_BASE] + (size_t)pixel->id;
     uint32_t level = pixel->texture >> SPH_LOD_LSB;
     if (!pixel->key || line >= (uint32_t)m->regs[SPH_REG_MEM_LINES]) return layer;
@@ -55,6 +55,7 @@ struct sph_layer sph_layer_of(const struct sph_machine *m, const struct sph_pixe
     double t = (double)pixel->key / (double)ray.a;
     struct sph_machine_camera camera = sph_machine_camera(m);
     layer.depth = (float)ldexp(t * sph_camera_ahead(&camera, ray.dir), m->grid_log2);
+    layer.distance = (float)ldexp(t * sqrt((double)ray.a), m->grid_log2);
     struct sph_shading shading = sph_shading_read(m, prim);
     for (int i = 0; i < 3; i++)
         layer.albedo[i] = (float)shading.rgb[i] / 255;

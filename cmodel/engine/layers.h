@@ -11,6 +11,7 @@
 
 struct sph_layer {
     float depth;     /* along the view, in units of the scene; infinite: nothing is hit */
+    float distance;  /* from the eye, the same */
     float normal[3]; /* of length 1, in the scene's frame, towards the eye; 0: nothing is hit */
     float albedo[3]; /* of the material, 0..1, without its image */
     float level;     /* of the image that is seen first, 0: whole size; -1: none */

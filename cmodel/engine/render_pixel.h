@@ -19,7 +19,8 @@ struct sph_render_options {
     int traverse;                /* SPH_TRAVERSE_* */
     const struct sph_fast *fast; /* of sph_render_pixel() with FAST: the machine; NULL: literally */
     int threads;                 /* 0: all */
-    void (*progress)(void *user, int rows_done, int rows); /* may be NULL; called under a lock */
+    /* may be NULL; called under a lock; not 0: no more is drawn, sph_render() fails */
+    int (*progress)(void *user, int rows_done, int rows);
     void *user;
     void (*fetch)(void *user, const struct sph_texel *texel); /* may be NULL; every texel, as it is
                                                                 asked for: with one thread */

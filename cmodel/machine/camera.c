@@ -18,15 +18,21 @@ static double axis(const int32_t step[3], double sign, double out[3]) {
 struct sph_machine_camera sph_machine_camera(const struct sph_machine *m) {
     const int32_t *r = m->regs;
     struct sph_machine_camera c = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
-                                   -(double)r[SPH_REG_DIR_Z] / r[SPH_REG_PITCH]};
+                                   -(double)r[SPH_REG_DIR_Z] / r[SPH_REG_PITCH],
+                                   {-(double)r[SPH_REG_DIR_X0] / r[SPH_REG_PITCH],
+                                    (double)r[SPH_REG_DIR_Y0] / r[SPH_REG_PITCH]}};
     if (!sph_machine_effect(m, SPH_EFFECT_TURNED)) return c;
     double pitch = axis(r + SPH_REG_ACROSS_X, 1, c.axes[0]), along = 0;
     double half = ldexp(1, 31 - m->profile.wd); /* of a unit, by which directions are rounded */
     axis(r + SPH_REG_DOWN_X, -1, c.axes[1]);
+    c.view[0] = c.view[1] = 0;
     for (int i = 0; i < 3; i++) {
         int j = (i + 1) % 3, k = (i + 2) % 3;
         c.axes[2][i] = c.axes[0][j] * c.axes[1][k] - c.axes[0][k] * c.axes[1][j];
         along += c.axes[2][i] * ((double)r[SPH_REG_DIR_X0 + i] - half);
+        for (int a = 0; a < 2; a++) /* pixels are square */
+            c.view[a] +=
+                (a ? 1 : -1) * c.axes[a][i] * ((double)r[SPH_REG_DIR_X0 + i] - half) / pitch;
     }
     c.screen = -along / pitch;
     return c;

@@ -9,6 +9,8 @@
 struct sph_machine_camera {
     double axes[3][3]; /* right, up and back along the grid's axes, of length 1 */
     double screen;     /* its distance, in pixels */
+    double view[2];    /* column and row of the picture where the view meets it, from the middle of
+                          pixel 0, 0; outside of the picture, maybe */
 };
 
 struct sph_machine_camera sph_machine_camera(const struct sph_machine *m);

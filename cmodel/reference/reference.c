@@ -69,9 +69,10 @@ int sph_reference_render(const struct sph_scene *scene, const struct sph_referen
         return sph_fail(err, "%s: a frame of %dx%d has no pixels", scene->path, width, height);
     if (!sph_ref_view_of(&scene->camera, width, height, &j.view))
         return sph_fail(err, "%s: the camera has no direction", scene->path);
-    j.textures = (struct sph_ref_textures){scene,          options->mips, options->filter,
-                                           options->lod,   j.view.screen, (double)width * height,
-                                           options->spread};
+    j.textures =
+        (struct sph_ref_textures){scene,          options->mips,        options->filter,
+                                  options->lod,   j.view.window.screen, (double)width * height,
+                                  options->spread};
     struct sph_ref_tree *tree = sph_ref_tree_counted(scene, options->kd, options->work);
     memset(&out->work, 0, sizeof out->work);
     out->width = options->places ? (int)options->n_places : width;

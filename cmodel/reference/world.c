@@ -30,14 +30,14 @@ int sph_ref_view_of(const struct sph_camera *c, int width, int height, struct sp
     cross(up, back, right);
     if (!unit(right)) return 0;
     cross(back, right, view->axes[1]);
-    view->screen = height / 2.0 / tan(c->angle * acos(-1.0) / 360);
-    return isfinite(view->screen) && view->screen > 0;
+    view->window = sph_window_of(c, width, height);
+    return isfinite(view->window.screen) && view->window.screen > 0;
 }
 
 void sph_ref_view_dir(const struct sph_ref_view *v, int x, int y, double dir[3]) {
     for (int i = 0; i < 3; i++)
-        dir[i] = (x - (v->width - 1) / 2.0) * v->axes[0][i] +
-                 ((v->height - 1) / 2.0 - y) * v->axes[1][i] - v->screen * v->axes[2][i];
+        dir[i] = (v->window.left + x) * v->axes[0][i] + (v->window.top - y) * v->axes[1][i] -
+                 v->window.screen * v->axes[2][i];
 }
 
 enum { SHOWS = 8 }; /* levels: what frames are said to be far off by */

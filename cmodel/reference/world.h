@@ -9,14 +9,14 @@
 #define SPH_WORLD_H
 
 #include "machine/machine.h"
-#include "scene/scene.h"
+#include "scene/window.h"
 
 /* ---- the camera as it is written, in double precision ---- */
 
 struct sph_ref_view {
     double eye[3];
     double axes[3][3]; /* camera right, up, back in the scene's frame */
-    double screen;     /* distance of the screen in pixels */
+    struct sph_window window;
     int width, height;
 };
 

@@ -25,6 +25,7 @@ struct job {
     int width, height; /* of what a thread draws at a time */
     int across, down;  /* how many of those there are */
     int done;          /* of them */
+    int end;           /* nobody wants the rest */
     uint32_t errors;
     struct sph_counters *counters;
 };
@@ -53,7 +54,7 @@ static void parts(void *user, uint32_t first, uint32_t end) {
     struct job *j = user;
     const int32_t *r = j->m->regs;
     int rows = r[SPH_REG_WIN_Y1] - r[SPH_REG_WIN_Y0];
-    for (int i = (int)first; i < (int)end; i++) {
+    for (int i = (int)first; i < (int)end && !__atomic_load_n(&j->end, __ATOMIC_RELAXED); i++) {
         struct sph_counters mine = {{0}};
         uint32_t errors = 0;
         draw(j, r[SPH_REG_WIN_X0] + i % j->across * j->width,
@@ -62,9 +63,10 @@ static void parts(void *user, uint32_t first, uint32_t end) {
         j->errors |= errors;
         for (int c = 0; c < SPH_COUNTERS; c++)
             j->counters->count[c] += mine.count[c];
-        if (++j->done % j->across == 0 && j->how.progress)
+        if (++j->done % j->across == 0 && j->how.progress &&
             j->how.progress(j->how.user, (int)((int64_t)j->done * rows / (j->across * j->down)),
-                            rows);
+                            rows))
+            __atomic_store_n(&j->end, 1, __ATOMIC_RELAXED);
         sph_parallel_unlock();
     }
 }
@@ -118,5 +120,6 @@ int sph_render(const struct sph_machine *m, const struct sph_render_options *o,
     sph_parallel_most(before);
     sph_fast_free(fast);
     if (packets) forget_work(frame, counters);
+    if (job.end) return sph_fail(err, "%s: cancelled", m->name);
     return (int)job.errors;
 }

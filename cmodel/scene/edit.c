@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "scene/vector.h"
+#include "scene/window.h"
 
 #define FIRST_SIZE 64u /* elements of the first allocation; a power of two */
 
@@ -130,6 +131,10 @@ int sph_camera_check(const struct sph_camera *camera, const char *where, struct 
     if (!(camera->angle > 0 && camera->angle < 180))
         return sph_fail(err, "%s: camera: `angle` %g is not between 0 and 180 degrees", where,
                         camera->angle);
+    for (int i = 0; i < 2; i++)
+        if (!(fabs(camera->shift[i]) <= SPH_SHIFT_MAX))
+            return sph_fail(err, "%s: camera: `shift` %g is not between %d and %d heights", where,
+                            camera->shift[i], -SPH_SHIFT_MAX, SPH_SHIFT_MAX);
     if (camera->width < 1 || camera->width > SPH_MAX_RESOLUTION || camera->height < 1 ||
         camera->height > SPH_MAX_RESOLUTION)
         return sph_fail(err, "%s: camera: `resolution` %d %d is not within 1 to %d", where,

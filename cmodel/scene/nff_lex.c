@@ -46,7 +46,10 @@ static inline int next_byte(struct sph_lex *lex) {
         lex->len = fread(lex->buf, 1, sizeof lex->buf, lex->file);
         if (lex->len == 0) return -1;
         lex->taken += (double)lex->len;
-        if (lex->taken <= lex->size) sph_progress_at(lex->progress, lex->taken / lex->size);
+        if (lex->taken <= lex->size && sph_progress_at(lex->progress, lex->taken / lex->size)) {
+            lex->len = 0;
+            return -1;
+        }
     }
     return lex->buf[lex->pos];
 }

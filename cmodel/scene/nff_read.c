@@ -50,6 +50,11 @@ static int take_view_field(struct sph_reader *r, int field, struct sph_error *er
         return sph_lex_number(&r->lex, "angle", "degrees", &camera->angle, err);
     case 4:
         return sph_lex_number(&r->lex, "hither", "distance", &camera->hither, err);
+    case 5:
+        return sph_lex_number(&r->lex, "shift", "X", &camera->shift[0], err) ||
+                       sph_lex_number(&r->lex, "shift", "Y", &camera->shift[1], err)
+                   ? -1
+                   : 0;
     default:
         return take_size(r, "width", &camera->width, err) ||
                        take_size(r, "height", &camera->height, err)
@@ -58,10 +63,12 @@ static int take_view_field(struct sph_reader *r, int field, struct sph_error *er
     }
 }
 
-/* v from x y z at x y z up x y z angle a hither h resolution w h: any order, hither optional. */
+/* v from x y z at x y z up x y z angle a hither h shift x y resolution w h: any order, hither and
+ * shift optional. */
 static int take_view(struct sph_reader *r, struct sph_error *err) {
-    static const char *const names[] = {"from", "at", "up", "angle", "hither", "resolution"};
-    enum { N_FIELDS = 6, HITHER = 4 };
+    static const char *const names[] = {"from",   "at",    "up",        "angle",
+                                        "hither", "shift", "resolution"};
+    enum { N_FIELDS = 7, HITHER = 4, SHIFT = 5 };
     int seen[N_FIELDS] = {0}, got, field;
     if (r->view_line)
         return sph_fail(err, "%s:%u: second `v`; the first is in line %u", r->lex.path,
@@ -78,7 +85,7 @@ static int take_view(struct sph_reader *r, struct sph_error *err) {
     }
     if (got < 0) return -1;
     for (field = 0; field < N_FIELDS; field++)
-        if (!seen[field] && field != HITHER)
+        if (!seen[field] && field != HITHER && field != SHIFT)
             return sph_fail(err, "%s:%u: `v`: `%s` is missing", r->lex.path, r->view_line,
                             names[field]);
     char where[sizeof r->scene->path + 16];
@@ -208,21 +215,53 @@ int sph_nff_finish(struct sph_reader *r, struct sph_error *err) {
     return sph_scene_drop_twice(scene, SPH_READ_SPHERE_TWICE, err);
 }
 
-int sph_nff_read(FILE *file, const char *path, const struct sph_read_options *options,
-                 struct sph_scene *scene, struct sph_error *err) {
+/* The scenes of a file: what stands before the first `scene` is part of each. */
+struct sections {
+    const char *wanted; /* NULL: the file has one scene */
+    uint32_t line;      /* of the first word that was read, 0: none */
+    int found, passes;  /* the wanted one was met; the one that is read is another */
+};
+
+/* Takes the next word, or passes it: `scene NAME` at the start of a line begins another scene. 1 if
+ * a record of the wanted one is next, 0 if not, -1 with a message. */
+static int take_section(struct sph_reader *r, struct sections *s, struct sph_error *err) {
+    char name[SPH_LEX_TOKEN];
+    int starts = r->lex.token_line != s->line;
+    s->line = r->lex.token_line;
+    if (!starts || strcmp(r->lex.token, "scene") != 0) {
+        if (s->passes) sph_lex_take(&r->lex);
+        return !s->passes;
+    }
+    sph_lex_take(&r->lex);
+    if (sph_lex_name(&r->lex, "scene", "name", name, sizeof name, err) < 0) return -1;
+    if (!s->wanted)
+        return sph_fail(err, "%s:%u: there are several scenes: say %s:%s for this one", r->lex.path,
+                        s->line, r->lex.path, name);
+    s->passes = strcmp(name, s->wanted) != 0;
+    if (!s->passes && s->found++)
+        return sph_fail(err, "%s:%u: second scene `%s`", r->lex.path, s->line, name);
+    return 0;
+}
+
+int sph_nff_read(FILE *file, const char *path, const char *section,
+                 const struct sph_read_options *options, struct sph_scene *scene,
+                 struct sph_error *err) {
     struct sph_reader r = {.skip = 0};
-    int got, bad = 0, records = 0;
+    struct sections s = {.wanted = section};
+    int got, bad = 0;
     memset(scene, 0, sizeof *scene);
     sph_nff_start(&r, scene, options);
     sph_scene_set_path(scene, path);
+    if (section) snprintf(scene->name, sizeof scene->name, "%s", section);
     sph_lex_begin(&r.lex, file, path);
     r.lex.progress = options ? options->progress : NULL;
     while (!bad && (got = sph_lex_peek(&r.lex, err)) != 0) {
-        bad = got < 0 ? -1 : take_moving(&r, err);
-        records = 1;
+        if (got > 0) got = take_section(&r, &s, err);
+        bad = got < 0 || (got && take_moving(&r, err)) ? -1 : 0;
     }
     sph_lex_close(&r.lex);
-    if (!bad && !records) bad = sph_fail(err, "%s: the file is empty", path);
+    if (!bad && !s.line) bad = sph_fail(err, "%s: the file is empty", path);
+    if (!bad && section && !s.found) bad = sph_fail(err, "%s: has no scene `%s`", path, section);
     if (!bad) bad = sph_nff_finish(&r, err);
     if (!bad && options) bad = sph_scene_move(scene, options->at, err);
     if (!bad) bad = sph_scene_nest(scene, err);

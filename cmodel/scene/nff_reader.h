@@ -36,9 +36,11 @@ void sph_nff_start(struct sph_reader *r, struct sph_scene *scene,
                    const struct sph_read_options *options);
 int sph_nff_finish(struct sph_reader *r, struct sph_error *err);
 
-/* The whole of an NFF file, which is closed. On failure *scene holds nothing to free. */
-int sph_nff_read(FILE *file, const char *path, const struct sph_read_options *options,
-                 struct sph_scene *scene, struct sph_error *err);
+/* An NFF file, which is closed. section: NULL, or which of its scenes, sph_scene_section(). On
+ * failure *scene holds nothing to free. */
+int sph_nff_read(FILE *file, const char *path, const char *section,
+                 const struct sph_read_options *options, struct sph_scene *scene,
+                 struct sph_error *err);
 
 extern const char *const sph_nff_point[3];  /* "x", "y", "z" */
 extern const char *const sph_nff_colour[3]; /* "red", "green", "blue" */
@@ -62,6 +64,12 @@ int sph_nff_fail(struct sph_reader *r, struct sph_error *err, const char *record
 /* -1 with a message if one of the n values is not within 0..1. */
 int sph_nff_check_unit(struct sph_reader *r, const char *record, const char *const *names, int n,
                        const double *values, struct sph_error *err);
+
+/* What the numbers of a material, already in m, mean, with shares Ka and Kr: highlight, transmission
+ * and index as NFF has them, which is Whitted's sum. One that has neither is left to blend if its
+ * shares are no more than 1: that is the same, and less work. -1 under `strict`. */
+int sph_nff_shade(struct sph_reader *r, const double share[2], struct sph_material *m,
+                  struct sph_error *err);
 
 /* The material of a primitive that is read: marks it as used. -1 with a message if there was no
  * `f` or `fm` yet; what: "sphere". */

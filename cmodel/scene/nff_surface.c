@@ -48,22 +48,27 @@ static int limit(struct sph_reader *r, double *value, double low, double high, e
     return sph_nff_note(r, kind, line, err);
 }
 
-/* [Ka Kr], and what the material's numbers mean: highlight, transmission and index as NFF has them,
- * which is Whitted's sum. A material that has neither is left to blend if its shares are no more
- * than 1: that is the same, and less work. */
+/* [Ka Kr] */
 static int take_shading(struct sph_reader *r, const char *record, struct sph_material *m,
                         struct sph_error *err) {
     static const char *const names[] = {"Ka", "Kr"};
-    const double one = SPH_INDEX_ONE;
     double share[2] = {m->kd, m->ks};
-    uint32_t line = (uint32_t)m->line;
-    int got = sph_nff_more(r, record, names, 2, share, err), shines = m->ks > 0 && m->shine > 0;
+    int got = sph_nff_more(r, record, names, 2, share, err);
     if (got < 0) return -1;
     if (got && r->shading != SPH_SHADING_SUM)
         return sph_nff_fail(r, err, record, "Ka and Kr need `shading sum`");
+    return sph_nff_check_unit(r, record, names, 2, share, err) || sph_nff_shade(r, share, m, err)
+               ? -1
+               : 0;
+}
+
+int sph_nff_shade(struct sph_reader *r, const double share[2], struct sph_material *m,
+                  struct sph_error *err) {
+    const double one = SPH_INDEX_ONE;
+    uint32_t line = (uint32_t)m->line;
+    int shines = m->ks > 0 && m->shine > 0;
     if (r->shading == SPH_SHADING_BLEND)
         return shines || m->trans > 0 ? sph_nff_note(r, SPH_READ_BLEND, line, err) : 0;
-    if (sph_nff_check_unit(r, record, names, 2, share, err)) return -1;
     if (m->ks > 0 && !shines && sph_nff_note(r, SPH_READ_SHINE_NONE, line, err)) return -1;
     if (r->shading == SPH_SHADING_NFF && !shines && !(m->trans > 0) && m->kd + m->ks <= 1) return 0;
     m->sum = (struct sph_sum){.on = 1, .ka = share[0], .kr = share[1]};

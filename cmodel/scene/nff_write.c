@@ -25,6 +25,7 @@ static void put_scene(const struct sph_scene *scene, FILE *file) {
     sph_nff_put_point(&w, "up", camera->up);
     sph_nff_put(&w, "angle", &camera->angle, 1);
     sph_nff_put(&w, "hither", &camera->hither, 1);
+    if (camera->shift[0] != 0 || camera->shift[1] != 0) sph_nff_put(&w, "shift", camera->shift, 2);
     fprintf(file, "resolution %d %d\n", camera->width, camera->height);
     for (uint32_t i = 0; i < scene->n_flights; i++) {
         const struct sph_flight *f = &scene->flights[i];

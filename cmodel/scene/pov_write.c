@@ -16,6 +16,7 @@
 #include "scene/pov_image.h"
 #include "scene/pov_surface.h"
 #include "scene/vector.h"
+#include "scene/window.h"
 
 enum { EXTENT_LOG2 = 16, EXTENT_LOG2_PLANE = 12 };
 
@@ -66,7 +67,8 @@ static void put_direction(const struct writer *w, const char *word, struct sph_v
     sph_pov_vector(w->file, (double[]){v.x * pixels, v.y * pixels, v.z * pixels});
 }
 
-/* The screen is a window of width x height pixels, as far away as the field of view asks for. */
+/* The screen is a window of width x height pixels, as far away as the field of view asks for; the
+ * ray through its middle need not be square to it. */
 static void put_camera(const struct writer *w, int width, int height) {
     const struct sph_camera *c = &w->scene->camera;
     struct sph_vec ahead =
@@ -74,7 +76,14 @@ static void put_camera(const struct writer *w, int width, int height) {
     struct sph_vec right = unit(sph_vec_cross(ahead, c->up)), up = sph_vec_cross(right, ahead);
     fputs("camera { location ", w->file);
     put_point(w, c->from);
-    put_direction(w, "direction", ahead, height / 2.0 / tan(c->angle * acos(-1.0) / 360));
+    struct sph_window window = sph_window_of(c, width, height);
+    double aside = window.left + (width - 1) / 2.0, above = window.top - (height - 1) / 2.0;
+    struct sph_vec middle = {
+        window.screen * ahead.x + aside * right.x + above * up.x,
+        window.screen * ahead.y + aside * right.y + above * up.y,
+        window.screen * ahead.z + aside * right.z + above * up.z,
+    };
+    put_direction(w, "direction", middle, 1);
     put_direction(w, "right", right, width);
     put_direction(w, "up", up, height);
     fputs(" }\n", w->file);

@@ -5,12 +5,7 @@
 
 #include "scene/prim.h"
 #include "scene/polygon.h"
-
-/* The axis that s of a plane follows if the file names none: x, or z if that is nearer to lying in
- * the plane. */
-static struct sph_vec default_axis(struct sph_vec n) {
-    return fabs(n.x) <= fabs(n.z) ? sph_vec_of(1, 0, 0) : sph_vec_of(0, 0, 1);
-}
+#include "scene/vector.h"
 
 /* plane x y z nx ny nz [sx sy sz] */
 static int take_plane(struct sph_reader *r, struct sph_error *err) {
@@ -22,7 +17,7 @@ static int take_plane(struct sph_reader *r, struct sph_error *err) {
         sph_nff_vec(r, "plane", &facet.v[0], err) || sph_nff_numbers(r, "plane", normal, 3, n, err))
         return -1;
     facet.v[1] = sph_vec_of(n[0], n[1], n[2]);
-    facet.v[2] = default_axis(facet.v[1]);
+    facet.v[2] = sph_plane_axis(facet.v[1]);
     if (!(fmax(fabs(n[0]), fmax(fabs(n[1]), fabs(n[2]))) > 0))
         return sph_fail(err, "%s:%u: `plane`: the normal is zero", r->lex.path, facet.line);
     int got = sph_nff_more(r, "plane", along, 3, s, err);

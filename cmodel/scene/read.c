@@ -3,21 +3,36 @@
  */
 #include <stdint.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "common/file.h"
 #include "scene/aff.h"
 #include "scene/import.h"
 #include "scene/nff_reader.h"
 
-int sph_scene_read(const char *path, const struct sph_read_options *options,
+const char *sph_scene_section(const char *path, char file[SPH_SCENE_FILE]) {
+    const char *colon = strrchr(path, ':');
+    snprintf(file, SPH_SCENE_FILE, "%s", path);
+    if (!colon || colon - path >= SPH_SCENE_FILE || !access(path, F_OK)) return NULL;
+    file[colon - path] = 0;
+    if (!access(file, F_OK)) return colon + 1;
+    file[colon - path] = ':';
+    return NULL;
+}
+
+int sph_scene_read(const char *text, const struct sph_read_options *options,
                    struct sph_scene *scene, struct sph_error *err) {
-    const char *looks;
+    char path[SPH_SCENE_FILE];
+    const char *looks, *section = sph_scene_section(text, path);
     memset(scene, 0, sizeof *scene);
     FILE *file = sph_input_open(path, SPH_INPUT_ANY, err);
     if (!file) return -1;
     enum sph_file_kind kind = sph_aff_is(path) ? SPH_FILE_AFF : sph_file_kind(path, &looks);
-    if (kind == SPH_FILE_NFF) return sph_nff_read(file, path, options, scene, err);
+    if (kind == SPH_FILE_NFF) return sph_nff_read(file, path, section, options, scene, err);
     fclose(file);
+    if (section)
+        return sph_fail(err, "%s: only NFF files have several scenes; there is no `%.100s`", path,
+                        section);
     if (kind == SPH_FILE_AFF) return sph_aff_read(path, options, scene, err);
     if (sph_importable(kind))
         return sph_import(path, kind,
@@ -34,5 +49,5 @@ int sph_scene_parse(const char *text, size_t length, const char *path,
     /* read only: "r" never writes to the text */
     FILE *file = fmemopen((void *)(uintptr_t)text, length, "r");
     if (!file) return sph_fail(err, "%s: no memory to read %zu bytes", path, length);
-    return sph_nff_read(file, path, options, scene, err);
+    return sph_nff_read(file, path, NULL, options, scene, err);
 }

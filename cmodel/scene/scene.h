@@ -21,11 +21,20 @@ struct sph_vec {
     double x, y, z;
 };
 
+/* A picture is one of columns x rows that are drawn for displays side by side; 0 x 0: it is alone.
+ */
+struct sph_wall {
+    int columns, rows, column, row;
+};
+
 struct sph_camera {
     struct sph_vec from, at, up;
-    double angle;  /* vertical field of view, degrees, 0 < angle < 180 (SPD convention) */
-    double hither; /* near distance; read, not used: spheres are never clipped */
+    double angle;    /* vertical field of view, degrees, 0 < angle < 180 (SPD convention) */
+    double hither;   /* near distance; read, not used: spheres are never clipped */
+    double shift[2]; /* of the picture's middle to the right of the view and above it, in heights of
+                        the picture: window.h */
     int width, height;
+    struct sph_wall wall; /* angle and shift are the wall's */
 };
 
 struct sph_light {
@@ -144,9 +153,15 @@ struct sph_scene {
     char **files;
 };
 
-/* Reads an NFF file, or an AFF file by its name (docs/reference/scene_format.md), into *scene. 0,
- * or -1 with "file:line: ..." in *err; on failure *scene holds nothing to free. */
-int sph_scene_read(const char *path, const struct sph_read_options *options,
+enum { SPH_SCENE_FILE = 4096 }; /* characters of a path, with the 0 behind it */
+
+/* The file of a text that names a scene, and the name behind it: FILE:NAME is one of several scenes
+ * of an NFF file. NULL, and the text itself as the file, if FILE is not there or all of it is. */
+const char *sph_scene_section(const char *text, char file[SPH_SCENE_FILE]);
+
+/* Reads an NFF file, one scene of it, or an AFF file by its name (docs/reference/scene_format.md),
+ * into *scene. 0, or -1 with "file:line: ..." in *err; on failure *scene holds nothing to free. */
+int sph_scene_read(const char *text, const struct sph_read_options *options,
                    struct sph_scene *scene, struct sph_error *err);
 
 /* The same of a text of NFF in memory, of `length` bytes, which need no zero behind them. path: for

@@ -43,4 +43,10 @@ static inline int sph_smooth_given(const struct sph_vec n[3]) {
     return sph_vec_length(n[0]) > 0 && sph_vec_length(n[1]) > 0 && sph_vec_length(n[2]) > 0;
 }
 
+/* The axis that s of a plane with normal n follows if nothing is said: x, or z if that is nearer to
+ * lying in the plane. */
+static inline struct sph_vec sph_plane_axis(struct sph_vec n) {
+    return fabs(n.x) <= fabs(n.z) ? (struct sph_vec){1, 0, 0} : (struct sph_vec){0, 0, 1};
+}
+
 #endif

@@ -5,93 +5,71 @@
 #include <string.h>
 
 #include "trial/choose.h"
+#include "trial/met.h"
 #include "image/mips.h"
 #include "sphaera/opaque.h"
-#include "texture/lookup.h"
+#include "validate/describe.h"
 #include "validate/validate.h"
 
-void sphaera_build_init(sphaera_build_options *options) {
-    *options = (sphaera_build_options){.size = sizeof *options,
-                                       .profile = "auto",
-                                       .accel = "auto",
-                                       .depth = 2,
-                                       .shadow = SPHAERA_AUTO,
-                                       .reflect = SPHAERA_AUTO,
-                                       .refract = SPHAERA_AUTO,
-                                       .specular = SPHAERA_AUTO,
-                                       .texture = SPHAERA_AUTO};
+sphaera_machine *sph_api_machine(struct sph_error *err) {
+    sphaera_machine *made = calloc(1, sizeof *made);
+    if (!made) sph_fail(err, "no memory for a machine");
+    if (made) made->holders = made->samples = 1;
+    return made;
 }
 
-int sph_api_options(const sphaera_build_options *from, struct sph_build_options *to,
-                    struct sph_profile *widths, struct sph_error *err) {
-    static const struct {
-        const char *name;
-        int tree;
-    } accels[] = {{"auto", SPH_TREE_AUTO},
-                  {"bvh4", SPH_TREE_REINSERTED},
-                  {"bih", SPH_TREE_BIH},
-                  {"brute", SPH_TREE_BRUTE},
-                  {"box4", SPH_TREE_BOX4}};
-    enum { ACCELS = sizeof accels / sizeof *accels };
-    int accel = 0;
-    sphaera_build_options defaults;
-    sphaera_build_init(&defaults);
-    if (!from) from = &defaults;
-    *to = (struct sph_build_options)SPH_BUILD_DEFAULT;
-    if (from->size != sizeof *from || !from->profile || !from->accel)
-        return sph_fail(err, "build options: not those of sphaera_build_init()");
-    while (accel < ACCELS && strcmp(accels[accel].name, from->accel) != 0)
-        accel++;
-    if (accel == ACCELS)
-        return sph_fail(err, "accel is '%.40s', none of auto, bvh4, bih, brute, box4", from->accel);
-    if (from->depth < 0 || from->depth > SPH_MAX_DEPTH)
-        return sph_fail(err, "depth is %d, not 0 to %d", from->depth, SPH_MAX_DEPTH);
-    if (from->width < 0 || from->height < 0 || from->width > SPH_MAX_SIDE ||
-        from->height > SPH_MAX_SIDE)
-        return sph_fail(err, "size is %dx%d, sides are 1 to %d, or 0", from->width, from->height,
-                        SPH_MAX_SIDE);
-    const struct {
-        const char *name;
-        int value;
-    } choices[] = {{"shadow", from->shadow},
-                   {"reflect", from->reflect},
-                   {"refract", from->refract},
-                   {"specular", from->specular},
-                   {"texture", from->texture}};
-    for (size_t i = 0; i < sizeof choices / sizeof *choices; i++)
-        if (choices[i].value < SPHAERA_AUTO || choices[i].value > SPHAERA_ON)
-            return sph_fail(err, "%s is %d, not SPHAERA_AUTO, _OFF or _ON", choices[i].name,
-                            choices[i].value);
-    to->tree = accels[accel].tree;
-    to->width = from->width;
-    to->height = from->height;
-    to->max_depth = from->depth;
-    to->shadow = from->shadow;
-    to->reflect = from->reflect;
-    to->refract = from->refract;
-    to->specular = from->specular;
-    to->texture = from->texture;
-    if (!strcmp(from->profile, "auto")) return 0;
-    to->widths = widths;
-    return sph_profile_parse(from->profile, widths, err);
+sphaera_machine *sph_api_hold(const sphaera_machine *machine) {
+    sphaera_machine *m = (sphaera_machine *)(uintptr_t)machine; /* what is counted, nobody sees */
+    __atomic_fetch_add(&m->holders, 1, __ATOMIC_RELAXED);
+    return m;
+}
+
+void sphaera_machine_free(sphaera_machine *machine) {
+    if (!machine || __atomic_sub_fetch(&machine->holders, 1, __ATOMIC_ACQ_REL)) return;
+    sph_fast_free(machine->fast);
+    sph_machine_free(&machine->machine);
+    free(machine);
+}
+
+const struct sph_fast *sph_api_fast(const sphaera_machine *machine) {
+    struct sph_fast **place = &((sphaera_machine *)(uintptr_t)machine)->fast, *none = NULL;
+    struct sph_fast *fast = __atomic_load_n(place, __ATOMIC_ACQUIRE);
+    if (fast) return fast;
+    fast = sph_fast_new(&machine->machine, SPH_FAST_BEST);
+    if (!fast ||
+        __atomic_compare_exchange_n(place, &none, fast, 0, __ATOMIC_ACQ_REL, __ATOMIC_ACQUIRE))
+        return fast;
+    sph_fast_free(fast); /* another thread was first */
+    return none;
 }
 
 /* Builds; report has room for what build says. */
-static int build(const struct sph_scene *scene, struct sph_build_options *o,
-                 struct sph_build_report *report, struct sphaera_machine *to,
-                 struct sph_error *err) {
-    const struct sph_error_bound bound = {SPH_ERROR_BOUND_PIXELS, SPH_ERROR_BOUND_PSNR};
+static int build(const struct sph_scene *scene, struct sph_api_build *b,
+                 struct sph_build_report *report, sphaera_machine *to, struct sph_error *err) {
     struct sph_profile_choice choice;
     struct sph_mip *mips = NULL;
-    if (o->texture != SPH_OFF && sph_mips_load(scene, &mips, err)) return -1;
-    o->mips = mips;
-    int rc = o->widths ? sph_build(scene, o, &to->machine, report, err)
-                       : sph_build_kept(scene, o, 1, &bound, &choice, &to->machine, report, err);
+    int any = !b->o.widths, rc;
+    if (sph_api_size(scene, b, err)) return -1;
+    if (b->o.texture != SPH_OFF && sph_mips_load(scene, &mips, err)) return -1;
+    b->o.mips = mips;
+    if (b->met)
+        rc = sph_build_met(scene, &b->o, any, &b->bound, &choice, &to->machine, report, err);
+    else if (any)
+        rc = sph_build_kept(scene, &b->o, 1, &b->bound, &choice, &to->machine, report, err);
+    else
+        rc = sph_build(scene, &b->o, &to->machine, report, err);
     sph_mips_free(mips, scene->n_textures);
+    if (rc) return -1;
+    if (b->told.end) {
+        sph_machine_free(&to->machine);
+        return sph_fail(err, "cancelled");
+    }
     _Static_assert(sizeof to->warning == sizeof report->warning, "the whole text");
-    if (!rc) memcpy(to->warning, report->warning, sizeof to->warning), to->ledger = report->ledger;
-    if (!rc && !o->widths) sph_choose_why(&choice, &bound, to->why, sizeof to->why);
-    return rc;
+    memcpy(to->warning, report->warning, sizeof to->warning);
+    to->ledger = report->ledger;
+    to->samples = b->samples;
+    if (any) sph_choose_why(&choice, &b->bound, to->why, sizeof to->why);
+    return 0;
 }
 
 int sphaera_build(const sphaera_scene *scene, const sphaera_build_options *options,
@@ -99,19 +77,21 @@ int sphaera_build(const sphaera_scene *scene, const sphaera_build_options *optio
     if (sph_api_null(scene, "scene", error) || sph_api_null(machine, "machine", error)) return -1;
     SPH_API_ENVIRONMENT;
     struct sph_error err = {""};
-    struct sph_profile widths;
-    struct sph_build_options o;
-    sphaera_machine *made = calloc(1, sizeof *made);
+    struct sph_api_build b;
+    *machine = NULL;
+    if (sph_api_options(options, &b, &err)) return sph_api_failed(&err, error);
+    sphaera_machine *made = sph_api_machine(&err);
     struct sph_build_report *report = calloc(1, sizeof *report);
-    int rc = -1;
-    if (!made || !report)
-        sph_fail(&err, "no memory for a machine");
-    else if (!sph_api_options(options, &o, &widths, &err))
-        rc = build(&scene->scene, &o, report, made, &err);
+    int rc = made && report ? build(&scene->scene, &b, report, made, &err)
+                            : sph_fail(&err, "no memory for a machine");
     free(report);
-    *machine = rc ? NULL : made;
-    if (!rc) return 0;
+    if (!rc) {
+        sph_machine_core(&made->machine, made->core, sizeof made->core);
+        *machine = made;
+        return 0;
+    }
     free(made);
+    if (b.told.end) snprintf(err.text, sizeof err.text, "cancelled");
     return sph_api_failed(&err, error);
 }
 
@@ -119,13 +99,15 @@ int sphaera_machine_read(const char *path, sphaera_machine **machine, sphaera_er
     if (sph_api_null(path, "path", error) || sph_api_null(machine, "machine", error)) return -1;
     SPH_API_ENVIRONMENT;
     struct sph_error err = {""};
-    *machine = calloc(1, sizeof **machine);
-    int rc = *machine ? sph_machine_read(path, &(*machine)->machine, &err)
-                      : sph_fail(&err, "no memory for a machine");
-    if (!rc) return 0;
-    free(*machine);
+    sphaera_machine *made = sph_api_machine(&err);
     *machine = NULL;
-    return sph_api_failed(&err, error);
+    if (!made || sph_machine_read(path, &made->machine, &err)) {
+        free(made);
+        return sph_api_failed(&err, error);
+    }
+    sph_machine_core(&made->machine, made->core, sizeof made->core);
+    *machine = made;
+    return 0;
 }
 
 int sphaera_machine_write(const sphaera_machine *machine, const char *path, sphaera_error *error) {
@@ -133,11 +115,6 @@ int sphaera_machine_write(const sphaera_machine *machine, const char *path, spha
     SPH_API_ENVIRONMENT;
     struct sph_error err = {""};
     return sph_machine_write(&machine->machine, path, &err) ? sph_api_failed(&err, error) : 0;
-}
-
-void sphaera_machine_free(sphaera_machine *machine) {
-    if (machine) sph_machine_free(&machine->machine);
-    free(machine);
 }
 
 int sphaera_machine_width(const sphaera_machine *machine) {

@@ -28,8 +28,7 @@ int sphaera_price_measure(const sphaera_scene *scene, const sphaera_build_option
     if (sph_api_null(scene, "scene", error) || sph_api_null(price, "price", error)) return -1;
     SPH_API_ENVIRONMENT;
     struct sph_error err = {""};
-    struct sph_profile widths;
-    struct sph_build_options o;
+    struct sph_api_build b;
     *price = NULL;
     if (!(keep_pixels >= 0 && keep_psnr >= 0)) {
         sph_fail(&err, "to keep %g pixels and %g dB: these are 0 or more", keep_pixels, keep_psnr);
@@ -40,11 +39,11 @@ int sphaera_price_measure(const sphaera_scene *scene, const sphaera_build_option
                                               asked ? keep_psnr : SPH_ERROR_BOUND_PSNR},
                                     .most = most};
     sphaera_price *made = calloc(1, sizeof *made);
-    int rc = made ? sph_api_options(options, &o, &widths, &err)
-                  : sph_fail(&err, "no memory for a table");
+    int rc = made ? sph_api_options(options, &b, &err) : sph_fail(&err, "no memory for a table");
+    if (!rc) rc = sph_api_size(&scene->scene, &b, &err);
     if (!rc) {
-        how.only = o.widths;
-        rc = measure(&scene->scene, &o, &how, &made->price, &err);
+        how.only = b.o.widths;
+        rc = measure(&scene->scene, &b.o, &how, &made->price, &err);
     }
     if (!rc) {
         *price = made;

@@ -39,6 +39,11 @@ typedef struct sphaera_error {
     char text[512]; /* empty: no error */
 } sphaera_error;
 
+/* How far a call is, `done` of `all`, told by one thread at a time, which may be another one than
+ * the caller's and must call nothing here. What it returns, if not 0, cancels the call, which then
+ * ends soon, with -1 and the message "cancelled". */
+typedef int (*sphaera_progress)(void *user, int done, int all);
+
 /* Version of the library, such as "1.2.3". */
 SPHAERA_API const char *sphaera_version(void);
 
@@ -53,6 +58,61 @@ SPHAERA_API int sphaera_scene_read(const char *path, uint32_t at, sphaera_scene 
  * machine; its folder is where images are looked for. */
 SPHAERA_API int sphaera_scene_parse(const char *text, size_t length, const char *name, uint32_t at,
                                     sphaera_scene **scene, sphaera_error *error);
+
+/* How a file is read. sphaera_read_init() sets the defaults, those of the tool; a struct that it
+ * did not set is refused, as is one of another *_init() below. */
+typedef struct sphaera_read_options {
+    size_t size;
+    uint32_t at; /* frame that moving primitives are moved to, 0..65535 */
+    int timed;   /* AFF: 1: at `time`, -1e9..1e9, whatever the frame */
+    double time;
+    double round;         /* cones: greatest distance over the larger radius, 1e-6..0.5; 0: 0.005 */
+    int skip_unsupported; /* 1: leave out patches instead of refusing the scene */
+    int strict;           /* 1: what is not used as it stands is an error, with file and line */
+    sphaera_progress progress; /* NULL: nobody is told */
+    void *user;
+} sphaera_read_options;
+SPHAERA_API void sphaera_read_init(sphaera_read_options *options);
+
+/* sphaera_scene_read() with all options; NULL: the defaults. */
+SPHAERA_API int sphaera_scene_read_with(const char *path, const sphaera_read_options *options,
+                                        sphaera_scene **scene, sphaera_error *error);
+
+/* A scene in arrays of the caller, which are copied. Numbers are finite, of at most 1e30, colours
+ * and shares 0..1, material numbers rows of `materials`. Ids are rows of the spheres, then of the
+ * triangles, then of the planes, less those that sphaera_scene_record() counts as left out: of its
+ * records the file is `name`, the line the row of the array, from 1 on. */
+typedef struct sphaera_arrays {
+    size_t size;
+    const char *name;                 /* in messages and in the machine: "arrays" */
+    double from[3], at[3], up[3];     /* camera: eye, what it looks at, upwards */
+    double angle;                     /* vertical field of view, degrees, within 0..180 */
+    int width, height;                /* pixels, 1..16383 */
+    double background[3], ambient[3]; /* colours */
+    uint32_t n_materials, n_spheres, n_triangles, n_planes, n_lights;
+    const double *materials; /* [n][8]: red green blue Kd Ks Shine T index, `f` of NFF */
+    const double *spheres;   /* [n][4]: centre, radius; below 0: inner surface of hollow glass */
+    const uint32_t *sphere_materials;   /* [n]; NULL: 0, as below */
+    const double *triangles;            /* [n][3][3]: corners */
+    const double *normals;              /* [n][3][3] of corners, any length; NULL: they are flat */
+    const uint32_t *triangle_materials; /* [n] */
+    const double *planes;               /* [n][6]: a point, the normal */
+    const uint32_t *plane_materials;    /* [n] */
+    const double *lights;               /* [n][3]: where; at most 8 */
+    const double *light_colours;        /* [n][3], 0 or more; NULL: 1 / sqrt(n) */
+} sphaera_arrays;
+
+/* No primitives, one white material, a camera at (0, 0, 1) that looks at 0, 320x180 pixels. */
+SPHAERA_API void sphaera_arrays_init(sphaera_arrays *arrays);
+
+/* Makes the scene. -1: a message that names array, row and field, such as
+ * "spheres[3]: radius is 0". */
+SPHAERA_API int sphaera_scene_make(const sphaera_arrays *arrays, sphaera_scene **scene,
+                                   sphaera_error *error);
+
+/* Writes a scene as NFF, whole or not at all; every double survives. */
+SPHAERA_API int sphaera_scene_write(const sphaera_scene *scene, const char *path,
+                                    sphaera_error *error);
 
 /* A scene that may be NULL, as of free(). */
 SPHAERA_API void sphaera_scene_free(sphaera_scene *scene);
@@ -75,17 +135,44 @@ SPHAERA_API int sphaera_scene_record(const sphaera_scene *scene, int number,
 
 /* ---- machines ---- */
 
-/* What is built. sphaera_build_init() sets the defaults, those of `sphaera build`; words are those
- * of its options. A struct that it did not set is refused. */
+/* What is built. sphaera_build_init() sets the defaults of the tool; words and numbers are those of
+ * `sphaera build --help`. Switches are SPHAERA_AUTO, as the scene calls for, _OFF or _ON. */
 typedef struct sphaera_build_options {
-    size_t size;         /* of this struct, set by sphaera_build_init() */
-    const char *profile; /* "auto", "draft", "standard", ...: widths of the arithmetic */
+    size_t size;
+    const char *profile; /* "auto", "draft", "standard", ..., with widths: "draft:w=14" */
     const char *accel;   /* "auto", "bvh4", "bih", "brute", "box4" */
     int width, height;   /* pixels; 0: as the scene says */
     int depth;           /* reflections and refractions one after another, 0..10 */
-    int shadow, reflect, refract, specular, texture; /* SPHAERA_AUTO, _OFF, _ON */
+    int shadow, reflect, refract, specular, texture;
+    int clear, inside, interpenetrate, smooth, spread;
+    int lights;          /* the first 0..8; SPHAERA_AUTO: those that reach something */
+    const char *effects; /* "all" that the scene names, or "met": those that rays of this frame
+                            meet, which is drawn to find out, as `sphaera build` does by itself;
+                            such a machine is for its own camera alone */
+    double
+        error_pixels;   /* "auto" keeps: what the eye sees is off by at most, 1e-9..1e9; 0: 0.125 */
+    double error_psnr;  /* and dB of the picture, up to 99; 0: 45 */
+    const char *tree;   /* of bvh4: "reinserted", "balanced", "paper" */
+    const char *axes;   /* of the grid: "auto", "camera", "scene" */
+    const char *bih;    /* "full", "listing" */
+    uint32_t max_prims; /* bih: a leaf of no more is not cut; 0: 4; SPHAERA_INFINITY */
+    uint32_t max_tree_depth;   /* bih: levels, 1..65; 0: 65 */
+    const char *background;    /* "none", "rect", "spans", "exact" */
+    int bg_points;             /* spans: meridians and parallels, 4..4096; 0: 16 */
+    int bg_border;             /* spans: pixels around the outline, 0..64 */
+    int bg_levels;             /* exact: 0 the root sphere, 1 its children, 2 theirs */
+    const char *traverse;      /* of primary rays: "nearest", "first" */
+    const char *filter;        /* of texels: "between", "level", "bilinear", "nearest" */
+    const char *lod;           /* "mended", "paper" */
+    int lod_bits;              /* of the fraction of a level, 0..8 */
+    double least_weight;       /* rays of less than this share of a pixel end, 0..1 */
+    int samples;               /* N x N rays a pixel, 1..16: the frame has N times the sides, and
+                                  pictures of it the mean of its light */
+    sphaera_progress progress; /* NULL: nobody is told */
+    void *user;
 } sphaera_build_options;
 enum { SPHAERA_AUTO = -1, SPHAERA_OFF = 0, SPHAERA_ON = 1 };
+#define SPHAERA_INFINITY 0xffffffffu
 
 SPHAERA_API void sphaera_build_init(sphaera_build_options *options);
 
@@ -115,7 +202,55 @@ SPHAERA_API const char *sphaera_machine_why(const sphaera_machine *machine);
 SPHAERA_API int sphaera_machine_record(const sphaera_machine *machine, int number,
                                        sphaera_record *record);
 
+/* ---- what the hardware sees of a machine ---- */
+
+/* Registers by number: their names, such as "EFFECTS" and "LIGHT3_X", NULL where there is none;
+ * how many numbers there are; their words. */
+SPHAERA_API int sphaera_registers(void);
+SPHAERA_API const char *sphaera_register_name(int number);
+SPHAERA_API const int32_t *sphaera_machine_registers(const sphaera_machine *machine);
+
+/* Memory: *lines times 256 bits, 8 words each, low bits first; in the machine, as the registers. */
+SPHAERA_API const uint32_t *sphaera_machine_memory(const sphaera_machine *machine, uint32_t *lines);
+
+/* Parameters of rt_core that draws it, by name: widths, and the least of each effect. Number 0, 1,
+ * ...; -1 behind the last, and then nothing is written. */
+typedef struct sphaera_parameter {
+    const char *name; /* such as "WD" or "REFLECT"; stands for ever */
+    int value;
+} sphaera_parameter;
+SPHAERA_API int sphaera_machine_parameter(const sphaera_machine *machine, int number,
+                                          sphaera_parameter *parameter);
+
+/* The same of effects in words of sim/cores.py: "shadow+reflect2+lights1"; "none". */
+SPHAERA_API const char *sphaera_machine_core(const sphaera_machine *machine);
+
+/* A machine of registers and memory, which are copied and checked; n_registers is
+ * sphaera_registers(). Its grid is not known: points are in grid units. */
+SPHAERA_API int sphaera_machine_make(const int32_t *registers, int n_registers,
+                                     const uint32_t *memory, uint32_t lines, const char *name,
+                                     sphaera_machine **machine, sphaera_error *error);
+
+/* Writes what `sphaera export` does: "hex": path.regs.hex and path.mem.hex for $readmemh; "c":
+ * path, arrays of C. */
+SPHAERA_API int sphaera_machine_export(const sphaera_machine *machine, const char *format,
+                                       const char *path, sphaera_error *error);
+
 /* ---- frames ---- */
+
+/* How a frame is drawn. sphaera_render_init() sets the defaults of the tool. */
+typedef struct sphaera_render_options {
+    size_t size;
+    int threads;               /* 0: one for every processor */
+    const char *traverse;      /* "fast"; "literal": the text beside the RTL; "brute": no tree;
+                                  "packets": faster, without visits and counters of the tree */
+    sphaera_progress progress; /* of rows; NULL: nobody is told */
+    void *user;
+} sphaera_render_options;
+SPHAERA_API void sphaera_render_init(sphaera_render_options *options);
+SPHAERA_API int sphaera_render_with(const sphaera_machine *machine,
+                                    const sphaera_render_options *options, sphaera_frame **frame,
+                                    sphaera_error *error);
 
 /* Draws the machine. threads: 0: one for every processor. */
 SPHAERA_API int sphaera_render(const sphaera_machine *machine, int threads, sphaera_frame **frame,
@@ -137,21 +272,51 @@ SPHAERA_API void sphaera_frame_key(const sphaera_frame *frame, uint64_t *key);
 SPHAERA_API void sphaera_frame_visits(const sphaera_frame *frame, uint32_t *visits);
 #define SPHAERA_NONE 0xffffffu
 
+/* Layers, likewise, of the primary hit; any array may be NULL. -1 if memory is out.
+ *   texture   {lod u4.8 of the first texture, 4095: none; sum of texel addresses u20}, as hardware
+ *   level     float; of the image that is seen first, 0: whole size; -1: none
+ *   normal    3 floats a pixel, of length 1, in the scene's frame, towards the eye; 0: no hit
+ *   depth     float; along the view, in units of the scene; infinite: no hit
+ *   distance  float; the same from the eye
+ *   albedo    3 floats a pixel; of the material, 0..1, without its image */
+typedef struct sphaera_layers {
+    uint32_t *texture;
+    float *level, *normal, *depth, *distance, *albedo;
+} sphaera_layers;
+SPHAERA_API int sphaera_frame_layers(const sphaera_frame *frame, const sphaera_layers *to,
+                                     sphaera_error *error);
+
 /* Hash of all that `sphaera render` prints one of: equal frames have equal hashes. */
 SPHAERA_API uint64_t sphaera_frame_hash(const sphaera_frame *frame);
 
 /* Sticky errors of the drawing, a bit each (docs/reference/core.md); 0: none. */
 SPHAERA_API uint32_t sphaera_frame_errors(const sphaera_frame *frame);
 
-/* Writes a picture in the format of the name's ending: 8 bits in sRGB, or OpenEXR, linear. */
+/* Writes a picture in the format of the name's ending: 8 bits in sRGB, or OpenEXR, linear, with all
+ * layers. */
 SPHAERA_API int sphaera_frame_write(const sphaera_frame *frame, const char *path,
                                     sphaera_error *error);
 
+/* The same with the tool's options; sphaera_picture_init() sets its defaults. */
+typedef struct sphaera_picture_options {
+    size_t size;
+    int layer;            /* 0 without reflections, 1 with one, 2 all */
+    const char *transfer; /* "srgb", "linear" */
+    int depths;           /* 1: colours tell how many surfaces one behind another made a pixel */
+    int samples;          /* a pixel is the mean of N x N; 0: those of build */
+} sphaera_picture_options;
+SPHAERA_API void sphaera_picture_init(sphaera_picture_options *options);
+SPHAERA_API int sphaera_frame_write_with(const sphaera_frame *frame, const char *path,
+                                         const sphaera_picture_options *options,
+                                         sphaera_error *error);
+
 /* Counters, by number or by name such as "node_visits" (docs/reference/core.md): their names, NULL
- * behind the last; their values, 0 where the hardware alone counts; -1 if the name is none. */
+ * behind the last; their values, 0 where the hardware alone counts; -1 if the name is none; 1 if
+ * hardware must count the same. */
 SPHAERA_API const char *sphaera_counter_name(int number);
 SPHAERA_API uint64_t sphaera_frame_counter(const sphaera_frame *frame, int number);
 SPHAERA_API int sphaera_counter_find(const char *name);
+SPHAERA_API int sphaera_counter_exact(int number);
 
 /* ---- one ray ---- */
 
@@ -169,6 +334,80 @@ typedef struct sphaera_hit {
  * origin lies outside the grid, or the direction is zero or not finite. */
 SPHAERA_API int sphaera_trace(const sphaera_machine *machine, const double origin[3],
                               const double direction[3], sphaera_hit *hit, sphaera_error *error);
+
+/* ---- many rays ---- */
+
+/* Where what n rays hit goes: arrays [n] of the caller, NULL: not asked for. */
+typedef struct sphaera_hits {
+    uint32_t *id; /* SPHAERA_NONE: nothing was hit, and the rest but visits is 0 */
+    uint64_t *key;
+    uint8_t *inside; /* 1: the far side was hit, from inside */
+    uint32_t *visits;
+    double *distance; /* units of the scene */
+} sphaera_hits;
+
+/* sphaera_trace() of n rays, origins and directions [n][3] in the scene's frame, shared by threads,
+ * 0: one for every processor. -1: a message that names the first ray it cannot take, such as
+ * "origins[7] lies outside the grid"; the arrays then hold anything. */
+SPHAERA_API int sphaera_trace_rays(const sphaera_machine *machine, size_t n, const double *origins,
+                                   const double *directions, int threads, const sphaera_hits *hits,
+                                   sphaera_error *error);
+
+/* The same of integers, as hardware has them: origins in grid units of W bits, directions of WD,
+ * along the grid's axes. Primary rays of a frame are found by sphaera_primary(), and then id, key
+ * and visits are those of a core that draws no other rays. */
+SPHAERA_API int sphaera_trace_grid(const sphaera_machine *machine, size_t n, const int32_t *origins,
+                                   const int32_t *directions, int threads, const sphaera_hits *hits,
+                                   sphaera_error *error);
+
+/* The primary ray of a pixel in integers. -1 if it lies outside the frame. */
+SPHAERA_API int sphaera_primary(const sphaera_machine *machine, int x, int y, int32_t origin[3],
+                                int32_t direction[3], sphaera_error *error);
+
+/* ---- the rays of one pixel, stage by stage (`sphaera info --pixel X,Y --stages`) ---- */
+
+typedef struct sphaera_pixel sphaera_pixel;
+
+SPHAERA_API int sphaera_pixel_trace(const sphaera_machine *machine, int x, int y,
+                                    sphaera_pixel **pixel, sphaera_error *error);
+SPHAERA_API void sphaera_pixel_free(sphaera_pixel *pixel); /* may be NULL */
+
+/* Rays in the order in which they are traced. Row 0, 1, ...; -1 behind the last. */
+typedef struct sphaera_ray {
+    const char *kind;                /* "primary", "shadow", "reflected", "refracted" */
+    int parent;                      /* number of the ray at whose hit it starts; -1: the eye */
+    int depth;                       /* reflections and refractions before it */
+    int64_t origin[3], direction[3]; /* grid units; direction units */
+    int hit; /* 1: something; of a shadow ray: the light is hidden, and the rest is 0 */
+    int inside;
+    uint32_t id, visits;
+    uint64_t key;
+} sphaera_ray;
+SPHAERA_API int sphaera_pixel_ray(const sphaera_pixel *pixel, int number, sphaera_ray *ray);
+
+/* Stages of these rays, ray by ray, as model and RTL have them alike. */
+typedef struct sphaera_stage {
+    const char *name; /* "set-up", "filter", "root", ... */
+    int ray;          /* its number; -1: of the pixel */
+    uint32_t visit;   /* of a tree node, from 1; 0: none */
+    uint32_t number;  /* of child, primitive, texel or light */
+    int operands;
+} sphaera_stage;
+SPHAERA_API int sphaera_pixel_stage(const sphaera_pixel *pixel, int number, sphaera_stage *stage);
+
+/* An operand of a stage, 0 .. operands - 1; a vector is three of one name. */
+typedef struct sphaera_operand {
+    const char *name;
+    int bits, is_signed;
+    uint64_t low, high; /* of the word, `bits` of them */
+    double value;       /* what it stands for; lengths in units of the scene */
+} sphaera_operand;
+SPHAERA_API int sphaera_pixel_operand(const sphaera_pixel *pixel, int stage, int number,
+                                      sphaera_operand *operand);
+
+/* The line that `sphaera info` prints of a stage; stands until the next call of this pixel, and of
+ * one thread at a time; NULL behind the last. */
+SPHAERA_API const char *sphaera_pixel_text(sphaera_pixel *pixel, int stage);
 
 /* ---- what accuracy costs in time (`sphaera price`) ---- */
 

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <sys/stat.h>
 
+#include "common/number.h"
 #include "validate/describe.h"
 #include "tool/print.h"
 #include "tool/progress.h"
@@ -15,16 +16,21 @@ struct arguments {
     struct tool_source source;
     const char *input, *output, *json;
     int stats, progress;
+    double stereo; /* 0: one eye */
     struct tool_frames frames;
 };
 
-enum { KEY_JSON = 512, KEY_STATS, KEY_FRAMES, KEY_PROGRESS };
+enum { KEY_JSON = 512, KEY_STATS, KEY_FRAMES, KEY_PROGRESS, KEY_STEREO };
 
 static const struct argp_option options[] = {
     {"output", 'o', "FILE", 0, "machine file to write", 0},
     {"stats", KEY_STATS, NULL, 0, "bih, box4: nodes, leaves, levels and bytes as text", 0},
     {"frames", KEY_FRAMES, "A..B", 0,
      "machines of these frames of a moving scene, FILE-0007.sph and so on", 0},
+    {"stereo", KEY_STEREO, "D", 0,
+     "two machines, FILE-left.sph and FILE-right.sph, of eyes that are D scene units apart: "
+     "--eye-shift by half of it either way",
+     0},
     {"json", KEY_JSON, "FILE", 0, "report as JSON (- : on standard output instead of text)", 0},
     {"progress", KEY_PROGRESS, NULL, 0, "show progress though stderr is no terminal", 0},
     {0},
@@ -48,10 +54,14 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     case KEY_PROGRESS:
         a->progress = a->frames.progress = 1;
         return 0;
+    case KEY_STEREO:
+        a->stereo = tool_real(state, "--stereo", arg, 1e-9, SPH_NUMBER_MAX);
+        return 0;
     case KEY_FRAMES:
         tool_frames_parse(state, arg, &a->frames);
         return 0;
     case ARGP_KEY_END:
+        if (a->stereo > 0) tool_stereo_check(state, &a->source.outputs);
         if (a->frames.on && a->source.read.at)
             argp_error(state, "--frames and --at exclude each other");
         if (a->frames.on && a->source.read.timed)
@@ -117,6 +127,35 @@ static int load(const struct arguments *a, struct tool_built *built, struct sph_
     return rc;
 }
 
+static int build(void *user) {
+    struct arguments *a = user;
+    struct tool_built built;
+    struct sph_error err = {""};
+    if (tool_is_machine(a->input)) {
+        sph_fail(&err, "%s: is a machine file already", a->input);
+        return tool_failed(&err);
+    }
+    if (a->frames.on) return build_frames(a);
+    if (check_target(a->output, &err) || load(a, &built, &err)) return tool_failed(&err);
+    print_build(print_stream(a->json), &built);
+    int boxes = built.machine.regs[SPH_REG_TREE] == SPH_TREE_BOX4;
+    if (a->stats && (boxes || sph_machine_bih(&built.machine))) {
+        if (!boxes) print_bih(print_stream(a->json), &built.machine, &built.report.bih);
+        if (boxes && !a->json) print_boxes(&built.machine, built.report.nodes);
+        if (!a->json)
+            fprintf(tool_text(), "build    tree %.3f ms\n", 1e3 * built.report.tree_seconds);
+    }
+    json_t *report = report_new("build");
+    report_text(report, "input", a->input);
+    report_text(report, "output", a->output);
+    report_machine(report, &built.machine);
+    report_build(report, &built);
+    int rc = sph_machine_write(&built.machine, a->output, &err);
+    if (report_write(report, rc ? NULL : a->json, &err)) rc = -1;
+    sph_machine_free(&built.machine);
+    return rc ? tool_failed(&err) : TOOL_GOOD;
+}
+
 int tool_build(int argc, char **argv) {
     static const struct argp_child children[] = {{&tool_source_argp, 0, NULL, 1}, {0}};
     static const struct argp argp = {
@@ -130,32 +169,8 @@ int tool_build(int argc, char **argv) {
         NULL,
         NULL};
     struct arguments a = {.source = tool_source_default};
-    struct tool_built built;
-    struct sph_error err = {""};
     a.source.effects = TOOL_EFFECTS_MET;
     tool_parse(&argp, argc, argv, 0, &a);
-
-    if (tool_is_machine(a.input)) {
-        sph_fail(&err, "%s: is a machine file already", a.input);
-        return tool_failed(&err);
-    }
-    if (a.frames.on) return build_frames(&a);
-    if (check_target(a.output, &err) || load(&a, &built, &err)) return tool_failed(&err);
-    print_build(print_stream(a.json), &built);
-    int boxes = built.machine.regs[SPH_REG_TREE] == SPH_TREE_BOX4;
-    if (a.stats && (boxes || sph_machine_bih(&built.machine))) {
-        if (!boxes) print_bih(print_stream(a.json), &built.machine, &built.report.bih);
-        if (boxes && !a.json) print_boxes(&built.machine, built.report.nodes);
-        if (!a.json)
-            fprintf(tool_text(), "build    tree %.3f ms\n", 1e3 * built.report.tree_seconds);
-    }
-    json_t *report = report_new("build");
-    report_text(report, "input", a.input);
-    report_text(report, "output", a.output);
-    report_machine(report, &built.machine);
-    report_build(report, &built);
-    int rc = sph_machine_write(&built.machine, a.output, &err);
-    if (report_write(report, rc ? NULL : a.json, &err)) rc = -1;
-    sph_machine_free(&built.machine);
-    return rc ? tool_failed(&err) : TOOL_GOOD;
+    const char **names[] = {&a.output, &a.json};
+    return a.stereo > 0 ? tool_stereo(a.stereo, &a.source, names, 2, build, &a) : build(&a);
 }

@@ -86,10 +86,12 @@ static int describe_other(const struct arguments *a) {
     struct sph_ledger ledger = {0};
     struct sph_error err = {""};
     const char *looks;
-    FILE *file = sph_input_open(a->input, SPH_INPUT_ANY, &err);
+    char path[SPH_SCENE_FILE];
+    sph_scene_section(a->input, path);
+    FILE *file = sph_input_open(path, SPH_INPUT_ANY, &err);
     if (!file) return tool_failed(&err);
     fclose(file);
-    enum sph_file_kind kind = sph_file_kind(a->input, &looks);
+    enum sph_file_kind kind = sph_file_kind(path, &looks);
     if (a->pixel[0] >= 0) {
         sph_fail(&err, "%s: is %s: --pixel is for machine files; `sphaera build` makes one",
                  a->input, looks);

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <time.h>
 
+#include "common/number.h"
 #include "image/image.h"
 #include "validate/describe.h"
 #include "render/render.h"
@@ -20,6 +21,7 @@ struct arguments {
     int traverse, walks, threads, counters, progress;
     struct tool_frames frames;
     const char *movie;
+    double stereo; /* 0: one eye */
 };
 
 enum {
@@ -32,7 +34,8 @@ enum {
     KEY_FRAMES,
     KEY_PROGRESS,
     KEY_DEPTHS,
-    KEY_WALK
+    KEY_WALK,
+    KEY_STEREO
 };
 
 static const struct argp_option options[] = {
@@ -65,6 +68,10 @@ static const struct argp_option options[] = {
     {"counters", KEY_COUNTERS, NULL, 0, "print the counters", 0},
     {"frames", KEY_FRAMES, "A..B", 0,
      "these frames of a moving scene, with numbers in the names of files: FILE-0007.png", 0},
+    {"stereo", KEY_STEREO, "D", 0,
+     "two pictures, FILE-left.png and FILE-right.png, of eyes that are D scene units apart: "
+     "--eye-shift by half of it either way",
+     0},
     {"json", KEY_JSON, "FILE", 0, "report as JSON (- : on standard output instead of text)", 0},
     {"progress", KEY_PROGRESS, NULL, 0, "show progress though stderr is no terminal", 0},
     {0},
@@ -107,6 +114,10 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     case KEY_COUNTERS:
         a->counters = 1;
         return 0;
+    case KEY_STEREO:
+        a->stereo = tool_real(state, "--stereo", arg, 1e-9, SPH_NUMBER_MAX);
+        a->source.option = "stereo";
+        return 0;
     case KEY_FRAMES:
         tool_frames_parse(state, arg, &a->frames);
         return 0;
@@ -122,6 +133,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
             a->traverse = SPH_TRAVERSE_FAST;
         if (key == ARGP_KEY_END && (a->walks & (a->walks - 1)))
             argp_error(state, "--brute, --literal and --packets exclude one another");
+        if (key == ARGP_KEY_END && a->stereo > 0) tool_stereo_check(state, &a->source.outputs);
         if (key == ARGP_KEY_END && a->frames.on && a->source.read.at)
             argp_error(state, "--frames and --at exclude each other");
         if (key == ARGP_KEY_END && a->frames.on && a->source.read.timed)
@@ -237,6 +249,17 @@ static int render_frames(struct arguments *a) {
     return rc ? tool_failed(&err) : TOOL_GOOD;
 }
 
+static int draw(void *user) {
+    struct arguments *a = user;
+    struct tool_built built;
+    struct sph_error err = {""};
+    if (a->frames.on) return render_frames(a);
+    if (tool_load(a->input, &a->source, &built, &err)) return tool_failed(&err);
+    int rc = render_built(a, &built, &err);
+    sph_machine_free(&built.machine);
+    return rc ? tool_failed(&err) : TOOL_GOOD;
+}
+
 int tool_render(int argc, char **argv) {
     static const struct argp_child children[] = {{&tool_source_argp, 0, NULL, 1}, {0}};
     static const struct argp argp = {
@@ -252,13 +275,7 @@ int tool_render(int argc, char **argv) {
     struct arguments a = {.source = tool_source_default,
                           .traverse = SPH_TRAVERSE_FAST,
                           .light = {.layer = SPH_FRAMES - 1, .transfer = SPH_TRANSFER_SRGB}};
-    struct tool_built built;
-    struct sph_error err = {""};
     tool_parse(&argp, argc, argv, 0, &a);
-
-    if (a.frames.on) return render_frames(&a);
-    if (tool_load(a.input, &a.source, &built, &err)) return tool_failed(&err);
-    int rc = render_built(&a, &built, &err);
-    sph_machine_free(&built.machine);
-    return rc ? tool_failed(&err) : TOOL_GOOD;
+    const char **names[] = {&a.light.picture, &a.light.exr, &a.frame, &a.walk, &a.json, &a.movie};
+    return a.stereo > 0 ? tool_stereo(a.stereo, &a.source, names, 6, draw, &a) : draw(&a);
 }

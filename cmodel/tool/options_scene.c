@@ -3,12 +3,38 @@
  */
 #include "scene/frustum.h"
 #include "scene/motion.h"
+#include "scene/window.h"
+#include "common/number.h"
 #include "tool/tool.h"
 
-enum { KEY_SIZE = 640, KEY_DEPTH, KEY_LEAST, KEY_AT, KEY_SKIP, KEY_ROUND, KEY_TIME, KEY_STRICT };
+enum {
+    KEY_SIZE = 640,
+    KEY_DEPTH,
+    KEY_LEAST,
+    KEY_AT,
+    KEY_SKIP,
+    KEY_ROUND,
+    KEY_TIME,
+    KEY_STRICT,
+    KEY_SHIFT,
+    KEY_EYE,
+    KEY_WALL
+};
 
 static const struct argp_option options[] = {
     {"size", KEY_SIZE, "WxH", 0, "frame in pixels; as the scene says if not given", 1},
+    {"shift", KEY_SHIFT, "X,Y", 0,
+     "the picture's middle lies so many of its heights to the right of the view and above it; as "
+     "the scene says if not given",
+     1},
+    {"eye-shift", KEY_EYE, "X,Y[,Z]", 0,
+     "the eye moves to the right, up and back by units of the scene, before a screen that stays: "
+     "the one through `at`",
+     1},
+    {"wall", KEY_WALL, "NxM:X,Y", 0,
+     "the frame is number X,Y, from 0,0 at the top left, of N x M of its size that lie side by "
+     "side and show together what the camera sees",
+     1},
     {"depth", KEY_DEPTH, "N", 0, "reflections and refractions one after another, 0 to 10 (2)", 1},
     {"least-weight", KEY_LEAST, "S", 0,
      "a mirrored or refracted ray of less than this share of its pixel, 0 (default) to 1 in steps "
@@ -29,11 +55,33 @@ static const struct argp_option options[] = {
     {0},
 };
 
+/* NxM:X,Y */
+static struct sph_wall parse_wall(const struct argp_state *state, const char *arg) {
+    const char *at = arg;
+    uint64_t n[4];
+    if (sph_take_count(&at, 1, SPH_MAX_SIDE, &n[0]) || sph_take_char(&at, 'x') ||
+        sph_take_count(&at, 1, SPH_MAX_SIDE, &n[1]) || sph_take_char(&at, ':') ||
+        sph_take_count(&at, 0, n[0] - 1, &n[2]) || sph_take_char(&at, ',') ||
+        sph_parse_count(at, 0, n[1] - 1, &n[3]))
+        argp_error(state, "--wall: '%s' is no place in a wall such as 3x2:0,1", arg);
+    return (struct sph_wall){(int)n[0], (int)n[1], (int)n[2], (int)n[3]};
+}
+
 static error_t parse(int key, char *arg, struct argp_state *state) {
     struct tool_source *s = state->input;
     switch (key) {
     case KEY_SIZE:
         tool_size(state, "--size", arg, &s->build.width, &s->build.height);
+        break;
+    case KEY_SHIFT:
+        s->aim.shifted = 1;
+        tool_reals(state, "--shift", arg, SPH_SHIFT_MAX, 2, 2, s->aim.shift);
+        break;
+    case KEY_EYE:
+        tool_reals(state, "--eye-shift", arg, SPH_NUMBER_MAX, 2, 3, s->aim.eye);
+        break;
+    case KEY_WALL:
+        s->aim.wall = parse_wall(state, arg);
         break;
     case KEY_DEPTH:
         s->build.max_depth = (int)tool_number(state, "--depth", arg, 0, SPH_MAX_DEPTH);

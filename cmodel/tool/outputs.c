@@ -66,8 +66,10 @@ static int same(const char *a, const char *b) {
            one.st_ino == two.st_ino;
 }
 
-int tool_spares(const struct tool_outputs *outputs, const char *input, struct sph_error *err) {
+int tool_spares(const struct tool_outputs *outputs, const char *text, struct sph_error *err) {
     struct stat in, out;
+    char input[SPH_SCENE_FILE];
+    sph_scene_section(text, input);
     if (to_stdout > 1) return sph_fail(err, "-: only one file can go to standard output");
     for (int i = 0; i < outputs->n; i++)
         for (int k = 0; k < i; k++)

@@ -24,13 +24,14 @@ struct sph_progress progress_of(struct progress *p, const char *what, int forced
     return (struct sph_progress){shown ? progress_show : NULL, p, 0, 1};
 }
 
-void progress_show(void *user, int done, int all) {
+int progress_show(void *user, int done, int all) {
     struct progress *p = user;
     double now = progress_now();
-    if (now - p->last < 0.1) return;
+    if (now - p->last < 0.1) return 0;
     p->last = now;
     p->shown = 1;
     fprintf(stderr, "\r  %s %3d %%", p->what, (int)(100.0 * done / all));
+    return 0;
 }
 
 void progress_end(struct progress *p) {

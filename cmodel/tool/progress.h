@@ -19,8 +19,8 @@ int progress_start(struct progress *p, const char *what, int forced);
 struct sph_progress progress_of(struct progress *p, const char *what, int forced);
 
 /* Shows done of all in percent, at most ten times a second, not in the first half second. Fits
- * sph_render_options.progress. */
-void progress_show(void *p, int done, int all);
+ * sph_render_options.progress; always 0. */
+int progress_show(void *p, int done, int all);
 
 /* Clears the line. */
 void progress_end(struct progress *p);

@@ -23,9 +23,12 @@ static json_t *widths(const struct sph_profile *p) {
 /* Where the eye is, and how wide it sees. */
 static json_t *camera(const struct sph_machine *m) {
     const int32_t *r = m->regs;
-    double half = atan(r[SPH_REG_FRAME_W] / 2.0 / sph_machine_camera(m).screen);
-    return json_pack("{s:[i, i, i], s:f}", "eye", r[SPH_REG_EYE_X], r[SPH_REG_EYE_Y],
-                     r[SPH_REG_EYE_Z], "degrees_across", half * 360 / acos(-1));
+    const struct sph_machine_camera c = sph_machine_camera(m);
+    double left = c.view[0] + 0.5, right = r[SPH_REG_FRAME_W] - left;
+    double across = atan(left / c.screen) + atan(right / c.screen);
+    return json_pack("{s:[i, i, i], s:f, s:[f, f]}", "eye", r[SPH_REG_EYE_X], r[SPH_REG_EYE_Y],
+                     r[SPH_REG_EYE_Z], "degrees_across", across * 180 / acos(-1), "view_pixel",
+                     c.view[0], c.view[1]);
 }
 
 void report_machine(json_t *report, const struct sph_machine *m) {

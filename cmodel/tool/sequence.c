@@ -35,14 +35,58 @@ void tool_frames_parse(const struct argp_state *state, const char *arg,
     frames->on = 1;
 }
 
-char *tool_numbered(const char *path, uint32_t frame) {
-    if (!path) return NULL;
+/* path with a word before its ending; malloc, NULL if memory is out. */
+static char *tailed(const char *path, const char *word) {
     const char *slash = strrchr(path, '/'), *dot = strrchr(path, '.');
     if (!dot || (slash && dot < slash)) dot = path + strlen(path);
-    size_t size = strlen(path) + 16;
+    size_t size = strlen(path) + strlen(word) + 2;
     char *name = malloc(size);
-    if (name) snprintf(name, size, "%.*s-%04" PRIu32 "%s", (int)(dot - path), path, frame, dot);
+    if (name) snprintf(name, size, "%.*s-%s%s", (int)(dot - path), path, word, dot);
     return name;
+}
+
+char *tool_numbered(const char *path, uint32_t frame) {
+    char number[16];
+    snprintf(number, sizeof number, "%04" PRIu32, frame);
+    return path ? tailed(path, number) : NULL;
+}
+
+/* ---- a pair of eyes ---- */
+
+void tool_stereo_check(const struct argp_state *state, const struct tool_outputs *outputs) {
+    for (int i = 0; i < outputs->n; i++)
+        if (!strcmp(outputs->path[i], "-"))
+            argp_error(state, "--stereo writes two files of each kind, not standard output");
+}
+
+int tool_stereo(double apart, struct tool_source *source, const char **names[], int n,
+                tool_draw *draw, void *user) {
+    static const char *const sides[] = {"left", "right"};
+    const struct tool_source both = *source;
+    int rc = TOOL_GOOD;
+    for (int eye = 0; eye < 2 && rc == TOOL_GOOD; eye++) {
+        struct tool_outputs *o = &source->outputs;
+        const char *was[TOOL_OUTPUTS];
+        char *is[TOOL_OUTPUTS] = {NULL};
+        int named = 0;
+        for (int i = 0; i < n; i++)
+            was[i] = *names[i];
+        *source = both;
+        source->aim.eye[0] += (eye - 0.5) * apart;
+        for (int k = 0; k < o->n && rc == TOOL_GOOD; k++) {
+            if (!(is[named] = tailed(o->path[k], sides[eye]))) rc = TOOL_FAILED;
+            for (int i = 0; i < n; i++)
+                if (*names[i] == o->path[k]) *names[i] = is[named];
+            o->path[k] = is[named++];
+        }
+        if (rc == TOOL_GOOD) rc = draw(user);
+        for (int i = 0; i < n; i++)
+            *names[i] = was[i];
+        while (named)
+            free(is[--named]);
+    }
+    *source = both;
+    return rc;
 }
 
 void report_bases(json_t *report, const struct sph_build_report *build) {
@@ -71,14 +115,24 @@ struct run {
     struct sph_kept_tree kept;
     struct sph_census met; /* by the rays of all frames */
     struct sph_build_options options;
+    const struct tool_aim *aim;
     char profile_why[640]; /* empty if the profile was asked for */
 };
+
+/* The scene at a frame, seen as options want it. -1 with nothing to free. */
+static int frame_of(const struct run *run, uint32_t frame, struct sph_scene *moved,
+                    struct sph_error *err) {
+    if (sph_scene_at(&run->rest, frame, moved, err)) return -1;
+    if (!tool_aim(run->aim, moved, err)) return 0;
+    sph_scene_at_free(moved);
+    return -1;
+}
 
 static int build_frame(struct run *run, uint32_t frame, struct tool_built *built,
                        struct sph_error *err) {
     struct sph_scene moved;
     memset(built, 0, sizeof *built);
-    if (sph_scene_at(&run->rest, frame, &moved, err)) return -1;
+    if (frame_of(run, frame, &moved, err)) return -1;
     built->from_scene = 1;
     int rc = sph_build(&moved, &run->options, &built->machine, &built->report, err);
     if (!rc && run->options.numbers) { /* what it is built for is to find out what is met */
@@ -121,7 +175,7 @@ static int choose(struct run *run, const struct tool_source *source,
         struct sph_scene moved;
         struct sph_profile_choice choice;
         if (i && at[i] == at[i - 1]) continue;
-        if (sph_scene_at(&run->rest, at[i], &moved, NULL)) continue; /* told when it is built */
+        if (frame_of(run, at[i], &moved, NULL)) continue; /* told when it is built */
         int rc = tool_profile(source, &moved, &run->options, &choice, err);
         sph_scene_at_free(&moved);
         if (rc) return rc;
@@ -156,6 +210,7 @@ int tool_each_frame(const char *path, const struct tool_source *source,
                     const struct tool_frames *frames, FILE *to, json_t *list, tool_take *take,
                     void *user, struct sph_error *err) {
     struct run run = {.options = source->build,
+                      .aim = &source->aim,
                       .kept = {.how = source->refit, .loss = source->loss}};
     struct progress line;
     struct sph_progress reading = progress_of(&line, "reading", frames->progress), all, part;
@@ -163,6 +218,7 @@ int tool_each_frame(const char *path, const struct tool_source *source,
     if (tool_is_machine(path))
         return sph_fail(err, "%s: --frames is for scenes, this is a machine file", path);
     from.read.progress = &reading;
+    from.aim = (struct tool_aim){0}; /* of each frame, where the camera is then */
     int bad = tool_scene_read(path, &from, &run.rest, err);
     progress_end(&line);
     if (bad) return -1;

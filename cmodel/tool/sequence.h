@@ -40,6 +40,20 @@ int tool_movie_of(const char *movie, const char **picture, const char *path,
  * stays NULL; else the caller frees. */
 char *tool_numbered(const char *path, uint32_t frame);
 
+/* ---- a pair of eyes ---- */
+
+/* Wrong usage if an output is standard output. */
+void tool_stereo_check(const struct argp_state *state, const struct tool_outputs *outputs);
+
+/* What a command does with its options; returns its exit code. */
+typedef int tool_draw(void *user);
+
+/* Does it for the left and for the right one of two eyes so far apart, scene units, before one
+ * screen (--eye-shift): a.png is a-left.png and a-right.png. source: the command's own, and names[]
+ * its n files, which are changed meanwhile. The first failure ends it. */
+int tool_stereo(double apart, struct tool_source *source, const char **names[], int n,
+                tool_draw *draw, void *user);
+
 /* P_b made and kept, and what making took, into a report's object. */
 void report_bases(json_t *report, const struct sph_build_report *build);
 

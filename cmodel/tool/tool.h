@@ -56,6 +56,10 @@ unsigned long long tool_number(const struct argp_state *state, const char *optio
 double tool_real(const struct argp_state *state, const char *option, const char *arg, double min,
                  double max);
 
+/* least to most numbers of -limit .. limit with commas between them; those not given become 0. */
+void tool_reals(const struct argp_state *state, const char *option, const char *arg, double limit,
+                int least, int most, double *values);
+
 /* WIDTHxHEIGHT, both 1 .. SPH_MAX_SIDE. */
 void tool_size(const struct argp_state *state, const char *option, const char *arg, int *width,
                int *height);
@@ -73,9 +77,17 @@ enum { TOOL_AUTO, TOOL_BVH4, TOOL_BIH, TOOL_BRUTE, TOOL_BOX4 };
 
 enum { TOOL_EFFECTS_ALL, TOOL_EFFECTS_MET }; /* that the scene names; that rays of the frame meet */
 
+/* What options change of a scene's camera. */
+struct tool_aim {
+    int shifted; /* shift counts */
+    double shift[2], eye[3];
+    struct sph_wall wall;
+};
+
 struct tool_source {
     struct sph_build_options build;
     struct sph_read_options read;
+    struct tool_aim aim;
     struct sph_profile profile;   /* what build.widths points to, if --profile was given */
     int profile_auto;             /* the scene's own */
     struct sph_error_bound bound; /* what its profile must not miss */
@@ -125,8 +137,11 @@ int tool_wants_machine(const char *path, struct sph_error *err);
 int tool_frame_size(const struct tool_source *source, const struct sph_scene *scene,
                     struct sph_build_options *build, struct sph_error *err);
 
-/* Reads the scene file at path, unless an output would overwrite it or an image of it. 0, or -1
- * with a message and nothing to free. */
+/* Changes a camera by options. -1 with a message. */
+int tool_aim(const struct tool_aim *aim, struct sph_scene *scene, struct sph_error *err);
+
+/* Reads the scene file at path, and aims its camera, unless an output would overwrite it or an
+ * image of it. 0, or -1 with a message and nothing to free. */
 int tool_scene_read(const char *path, const struct tool_source *source, struct sph_scene *scene,
                     struct sph_error *err);
 

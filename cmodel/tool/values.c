@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: Apache-2.0
  */
 #include <errno.h>
+#include <math.h>
 #include <string.h>
 
 #include "common/number.h"
@@ -40,6 +41,27 @@ double tool_real(const struct argp_state *state, const char *option, const char 
     if (sph_parse_number(arg, &value) || !(value >= min && value <= max))
         argp_error(state, "%s: '%s' is no number from %g to %g", option, arg, min, max);
     return value;
+}
+
+void tool_reals(const struct argp_state *state, const char *option, const char *arg, double limit,
+                int least, int most, double *values) {
+    int n = 0, bad = 0;
+    for (const char *at = arg; n < most && !bad; n++) {
+        char number[64] = "";
+        size_t length = strcspn(at, ",");
+        if (length < sizeof number) memcpy(number, at, length);
+        bad = sph_parse_number(number, &values[n]) || !(fabs(values[n]) <= limit);
+        at += length;
+        if (!*at) {
+            bad |= n + 1 < least;
+            for (int i = n + 1; i < most; i++)
+                values[i] = 0;
+            if (!bad) return;
+        }
+        at++;
+    }
+    argp_error(state, "%s: '%s' is not %d%s numbers from %g to %g with commas between", option, arg,
+               least, least < most ? " or more" : "", -limit, limit);
 }
 
 void tool_size(const struct argp_state *state, const char *option, const char *arg, int *width,

@@ -6,6 +6,7 @@
 #include <math.h>
 
 #include "machine/bih_stats.h"
+#include "machine/camera.h"
 #include "validate/prims.h"
 #include "machine/parts.h"
 
@@ -107,6 +108,10 @@ void sph_machine_describe(const struct sph_machine *m, FILE *file) {
             p->wd, p->pr, root, p->pq, p->ng, p->fw);
     fprintf(file, "grid      step 2^%d = %g scene units, point 0 at camera-frame (%g, %g, %g)\n",
             m->grid_log2, ldexp(1, m->grid_log2), m->origin[0], m->origin[1], m->origin[2]);
+    const struct sph_machine_camera c = sph_machine_camera(m);
+    fprintf(file,
+            "view      the screen is %.6g pixels away, and the view meets it at (%.6g, %.6g)\n",
+            c.screen, c.view[0], c.view[1]);
     fprintf(file, "memory    %u lines, %.1f KiB; primitive records from line %d\n", m->lines,
             m->lines * 4.0 * SPH_LINE_WORDS / 1024, m->regs[SPH_REG_PRIM_BASE]);
     if (sph_machine_bih(m))

@@ -51,8 +51,8 @@ void view_aim_start(const struct sph_machine *m, const struct view_aim *aim,
 void view_aim_pixel(const struct view_aim *aim, int x, int y, struct sph_machine *copy) {
     static const int regs[] = {SPH_REG_DIR_X0, SPH_REG_DIR_Y0, SPH_REG_DIR_Z};
     if (!aim->turned) return;
-    double d[3] = {x - (aim->view.width - 1) / 2.0, (aim->view.height - 1) / 2.0 - y,
-                   -aim->view.screen};
+    const struct sph_window *w = &aim->view.window;
+    double d[3] = {w->left + x, w->top - y, -w->screen};
     double dir[3], most = 0;
     for (int i = 0; i < 3; i++) {
         dir[i] = aim->rows[i][0] * d[0] + aim->rows[i][1] * d[1] + aim->rows[i][2] * d[2];

@@ -7,6 +7,7 @@
 
 #include "reference/world.h"
 #include "scene/vector.h"
+#include "scene/window.h"
 
 static const double degree = 3.14159265358979323846 / 180;
 
@@ -80,9 +81,17 @@ void view_angle(struct sph_camera *c, double factor) {
     c->angle = fmax(VIEW_NARROW, fmin(VIEW_WIDE, angle));
 }
 
+void view_head(struct sph_camera *c, double at[2], double right, double up) {
+    double height = 2 * tan(c->angle / 2 * degree) * view_distance(c);
+    if (sph_camera_move_eye(c, (right - at[0]) * height, (up - at[1]) * height, 0, "view", NULL))
+        return;
+    at[0] = right, at[1] = up;
+}
+
 int view_line(const struct sph_camera *c, int width, int height, struct sph_vec a, struct sph_vec b,
               double ends[4]) {
     struct sph_ref_view view;
+    const struct sph_window *w = &view.window;
     struct sph_vec axis[3], end[2] = {sph_vec_sub(a, c->from), sph_vec_sub(b, c->from)};
     double ahead[2], hither = view_distance(c) / 1000; /* nearer is behind */
     if (!axes(c, axis) || !sph_ref_view_of(c, width, height, &view)) return 0;
@@ -97,8 +106,8 @@ int view_line(const struct sph_camera *c, int width, int height, struct sph_vec 
             at = add(at, sph_vec_sub(end[1 - i], end[i]), part);
             depth = hither;
         }
-        ends[2 * i] = sph_vec_dot(at, axis[0]) / depth * view.screen + (width - 1) / 2.0;
-        ends[2 * i + 1] = (height - 1) / 2.0 - sph_vec_dot(at, axis[1]) / depth * view.screen;
+        ends[2 * i] = sph_vec_dot(at, axis[0]) / depth * w->screen - w->left;
+        ends[2 * i + 1] = w->top - sph_vec_dot(at, axis[1]) / depth * w->screen;
     }
     return 1;
 }

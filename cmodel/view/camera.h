@@ -37,6 +37,10 @@ void view_near(struct sph_camera *c, double factor);
 #define VIEW_WIDE 120.0
 void view_angle(struct sph_camera *c, double factor);
 
+/* Puts the eye at another place before the screen through what the camera looks at, in parts of the
+ * screen's height to the right of *at and above it; *at is there then. */
+void view_head(struct sph_camera *c, double at[2], double right, double up);
+
 /* Where a line from a to b lies in a picture of width x height pixels: ends[0..3] are x, y of both
  * ends, the parts behind the camera left out. 0 if all of it is, or the camera has no direction. */
 int view_line(const struct sph_camera *c, int width, int height, struct sph_vec a, struct sph_vec b,

@@ -44,6 +44,9 @@ const struct view_key view_keys[] = {
     {"n", VIEW_DO_DEPTH, NULL, "next depth, 0 to 10"},
     {"p", VIEW_DO_PROFILE, NULL, "next profile: draft, standard, fine, reference"},
     {"0", VIEW_DO_HOME, NULL, "back to the camera of the scene"},
+    {"f", VIEW_DO_HEAD, NULL,
+     "the pointer is the head: the eye is in front of it, and the screen through what the camera "
+     "looks at stays; again: the eye goes back"},
     {"m", VIEW_DO_PRICE, NULL,
      "measures this frame when the camera rests: dB, cycles a pixel; again: no longer"},
     {"v", VIEW_DO_CAMERA, NULL, "prints the camera as lines of NFF"},

@@ -93,7 +93,13 @@ static void act(struct view_state *s, int does) {
         break;
     case VIEW_DO_HOME:
         s->camera = s->home;
+        s->head[0] = s->head[1] = 0;
         s->camera_changes++;
+        break;
+    case VIEW_DO_HEAD:
+        s->headed = !s->headed;
+        if (!s->headed) view_head(&s->camera, s->head, 0, 0);
+        s->camera_changes += !s->headed;
         break;
     case VIEW_DO_PRICE:
         s->price = !s->price;
@@ -132,6 +138,12 @@ static int key(struct view_state *s, const struct view_event *event, double now)
 static int drag(struct view_state *s, double x, double y) {
     double right = (x - s->at[0]) / s->height, down = (y - s->at[1]) / s->height;
     s->at[0] = x, s->at[1] = y;
+    if (!s->button && s->headed) {
+        view_head(&s->camera, s->head, (x - s->width / 2.0) / s->height,
+                  (s->height / 2.0 - y) / s->height);
+        s->camera_changes++;
+        return 1;
+    }
     if (!s->button) return 0;
     s->dragged |= hypot(x - s->from[0], y - s->from[1]) > CLICK;
     if (!s->dragged) return 0;

@@ -17,8 +17,10 @@ struct view_state {
     struct sph_camera camera;       /* now */
     struct sph_build_options build; /* what the machine is asked to be */
     int width, height;
-    int layer;                              /* VIEW_* of keys.h */
-    int price;                              /* 1: frames at rest are measured */
+    int layer;      /* VIEW_* of keys.h */
+    int price;      /* 1: frames at rest are measured */
+    int headed;     /* 1: the eye is in front of the mouse */
+    double head[2]; /* where it is then, in heights of the screen from where it was */
     uint64_t camera_changes, build_changes; /* counted */
     int quit, help, print, clear, clicked;  /* asked for; whoever does it sets it back */
     int x, y;                               /* pixel that was clicked */

@@ -17,6 +17,8 @@ static void print_camera(const struct sph_camera *c) {
     for (int i = 0; i < 3; i++)
         printf("%s %.17g %.17g %.17g\n", names[i], at[i]->x, at[i]->y, at[i]->z);
     printf("angle %.17g\n", c->angle);
+    if (c->shift[0] != 0 || c->shift[1] != 0)
+        printf("shift %.17g %.17g\n", c->shift[0], c->shift[1]);
     fflush(stdout);
 }
 

@@ -15,7 +15,7 @@ MOST = 2  # a linear 8-bit colour of each, rounded
 def draw(tool, folder, scene, depth):
     """The frame of a scene file or of a kind of `gen`."""
     path, to = scene, os.path.join(folder, "points.frame")
-    if not os.path.exists(scene):
+    if not os.path.exists(scene.rpartition(":")[0] or scene):
         path = os.path.join(folder, "points.nff")
         subprocess.run([tool, "gen", scene, "-o", path], check=True, stdout=subprocess.DEVNULL)
     subprocess.run([tool, "reference", path, "--unlimited", "--depth", depth, *scenes.FILTER,

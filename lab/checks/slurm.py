@@ -8,7 +8,7 @@ import os
 import random
 import sys
 
-from ..jobs import chunks, plan, run, slurm, store
+from ..jobs import plan, run, slurm, store
 
 # Runs a whole array before it returns, but for chunk $LOST; then what stands in $AFTER, once.
 SBATCH = """#!/bin/sh
@@ -36,17 +36,17 @@ echo 17
 def cuts():
     """Chunks have every job once, and cost what is promised."""
     random.seed(1)
-    assert chunks.cut([]) == []
+    assert slurm.cut([]) == []
     for n in (1, 7, 10000):
         jobs = [{"key": str(i), "cost": random.choice((0.1, 3, 29, 31, 59, 60, 61, 900)) *
                  random.random()} for i in range(n)]
-        cut = chunks.cut(jobs)
+        cut = slurm.cut(jobs)
         assert sorted(j["key"] for c in cut for j in c) == sorted(j["key"] for j in jobs)
         small = 0
         for chunk in cut:
             cost = sum(j["cost"] for j in chunk)
-            assert cost <= chunks.MOST + 1e-9 or len(chunk) == 1, chunk
-            small += cost < chunks.LEAST
+            assert cost <= slurm.MOST + 1e-9 or len(chunk) == 1, chunk
+            small += cost < slurm.LEAST
         assert small <= 1, small
 
 

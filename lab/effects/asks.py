@@ -25,7 +25,7 @@ def listed():
 def file_of(name):
     """The scene of such a line: its name without bih, which alone is the scene none."""
     name = "none" if name == "bih" else name.removesuffix("_bih")
-    return f"scenes/effects/{name}.nff"
+    return f"scenes/effects/effects.nff:{name}"
 
 
 def scenes():

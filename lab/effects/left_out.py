@@ -12,7 +12,7 @@ from . import run, scenes
 from ..pages.place import place
 from ..synth import results
 
-SCENES = ("behind", "hidden_mirror", "light_below")     # of tests/scenes/met
+SCENES = ("behind", "hidden_mirror", "light_below")     # of tests/scenes/met.nff
 HEAD = ["scene", "", "profile", "core", "LUT4eq", "MULT", "DP16KD", "cycles a pixel"]
 COLUMNS = ("lut4eq", "mult", "bram")
 WIDTH, HEIGHT = map(int, scenes.SIZE.split("x"))
@@ -42,7 +42,7 @@ def main(tool, build, page):
     for name in SCENES:
         for which, when in (("all", "with all"), ("met", "left out")):
             file = folder / f"{name}-{which}.sph"
-            profile, core = machine(tool, f"tests/scenes/met/{name}.nff", ["--effects", which],
+            profile, core = machine(tool, f"tests/scenes/met.nff:{name}", ["--effects", which],
                                     file)
             rows.append([name if which == "all" else "", when, profile, f"`{core}`",
                          *measured(build, file, profile, core)])

@@ -9,10 +9,26 @@ from concurrent.futures import ThreadPoolExecutor
 
 from .. import intact
 from ..benches import Broken
-from . import records, table
+from . import records
 from .planted import Planting, Shop
 
 MOST = 20   # messages of what is wrong in lists
+
+
+def cell(record, side, judges):
+    """Where a side has the fault, and who notices it; `*`: in the longer target alone."""
+    files = ", ".join(f"`{edit.file}`" for edit in record.edits if edit.side == side)
+    mine = [f"{judge}{' *' if judge.more else ''}" for judge in judges
+            if side in {edit.side for edit in record.side(judge)}]
+    return f"{files}: {'; '.join(mine)}" if mine else ""
+
+
+def table(picked):
+    """A table of faults and of who notices them."""
+    print("| fault | rule | model | RTL | proof's own files |\n|---|---|---|---|---|")
+    for record, judges in picked:
+        print("|", record.name, "|", record.rule.replace("|", "\\|"), "|",
+              " | ".join(cell(record, side, judges) for side in ("model", "rtl", "formal")), "|")
 
 
 def groups(text):
@@ -199,7 +215,7 @@ def main(words):
         if not picked:
             sys.exit(nothing(asked, found))
         if asked.command == "table":
-            table.tell(picked)
+            table(picked)
         else:
             print(f"{len(picked)} faults, {sum(len(judges) for _, judges in picked)} judges")
     except records.Refused as why:

@@ -234,7 +234,8 @@ class Reader:
             return f"{judge}: {len(words)} words behind it, not {least}" + (
                 f" to {most}" if most > least else "")
         if kind in ("core", "textured", "piped", "agree"):
-            return "" if os.path.exists(words[0]) else f"there is no scene {words[0]}"
+            there = os.path.exists(words[0]) or os.path.exists(words[0].rpartition(":")[0])
+            return "" if there else f"there is no scene {words[0]}"
         if kind in ("bench", "case"):
             if kind == "case" and not self.number(words[2], self.known["cases"]):
                 return f"{words[2]} is no named case, 1 to {self.known['cases']}"

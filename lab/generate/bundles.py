@@ -74,6 +74,35 @@ class Bundles:
         width = re.sub("([A-Z]+_BITS)", r"`RT_\1" if lang == "v" else r"SPH_\1", width)
         return width.replace("SLOTW", "$clog2(SLOTS)") if lang == "v" else width
 
+    def registers_of(self, bundle):
+        """Lines that hold its registers and make its fields of them; those of a parameter that is 0
+        are 0."""
+        names, whens, reads, drives = [], [], [], []
+        for field, register, count, when in self.held[bundle]:
+            name, width = field.lower() + "_q", self.fields[bundle][field]
+            count, bits = int(count), self.expression(width, "v")
+            one = str(int(width) // count) if width.isdecimal() else bits.removeprefix(f"{count}*")
+            names.append(f"    reg  [{self.top(bits)}:0] {name};")
+            for i in range(count):
+                at = f"`RT_REG_{register}" + f" + 7'd{i}" * bool(i)
+                into = f"{name}[{i}*{one} +: {one}]" if count > 1 else name
+                reads.append(f"            if (addr_i == {at}) {into} <= data_i[{self.top(one)}:0];")
+            value = name if when == 1 else f"{when} != 0 ? {name} : {{{bits}{{1'b0}}}}"
+            drives.append(f"    assign {bundle}_o[`RT_{bundle.upper()}_{field}] = {value};")
+        return [*names, "    always @(posedge clk)", "        if (valid_i) begin", *reads,
+                "        end", *drives]
+
+    def top(self, bits):
+        """The number of the highest one."""
+        return str(int(bits) - 1) if bits.isdecimal() else f"{bits}-1"
+
+    def filled(self, text):
+        """The text of a module, anew between the lines that begin and end its registers."""
+        return re.sub(r"(?<=\n)(    // registers of bundle (\w+): made by make layout\n).*?"
+                      r"(?=    // end of those\n)",
+                      lambda found: told([found[1][:-1], *self.registers_of(found[2])]), text,
+                      flags=re.S)
+
     def adds(self, bundle):
         """Statements that add its events, as rt_core sums up."""
         for field, bits, counter, when in self.events[bundle]:

@@ -1,7 +1,8 @@
-# ports.py - fields of bundles beside the ports of modules, in lines that begin with //:
+# ports.py - what modules show and hold of bundles: fields beside ports, behind //:, and registers
 # SPDX-License-Identifier: Apache-2.0
 """As in a concatenation: the highest bits first, behind a name its bits if they are more than one.
-A bundle's fields stand once in a list of ports, below the first ports that have it."""
+A bundle's fields stand once in a list of ports, below the first ports that have it. Registers that
+it holds stand between two comments."""
 import glob
 import itertools
 import re
@@ -65,7 +66,7 @@ def modules(machine, bundles):
         with open(name, encoding="utf-8") as f:
             text = f.read()
         if any(map(PORT.match, text.split("\n"))):
-            yield name, text, fields.anew(text)
+            yield name, text, fields.anew(bundles.filled(text))
 
 
 def anew(machine, bundles):

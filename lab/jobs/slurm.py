@@ -1,6 +1,6 @@
 # slurm.py - jobs as Slurm job arrays: chunks out, results in, until none is missing
 # SPDX-License-Identifier: Apache-2.0
-"""A round submits the jobs whose result does not count, in chunks (chunks.py), and waits until all
+"""A round submits the jobs whose result does not count, in chunks (cut()), and waits until all
 results are there, or a last job, which Slurm starts when the arrays have ended however they did,
 has left the file `ended`. Nobody asks Slurm what became of a job: files alone count, each looked at
 with its digest. What a killed node, a full disk or a time limit took is missing, and is in the next
@@ -16,11 +16,30 @@ import sys
 import time
 
 from .. import tasks
-from . import chunks, plan, store
+from . import plan, store
 
+LEAST, MOST = 30.0, 60.0  # seconds of a chunk
 ARRAY = 1000     # chunks of an array; Slurm takes 1001 unless its MaxArraySize is another
 FRUITLESS = 2    # rounds without a new result, then it ends
 POLL = 2.0       # seconds between two looks at the folder
+
+
+def cut(jobs, least=LEAST, most=MOST):
+    """Lists of jobs, together all of them. Each costs `least` to `most`, but for one that may cost
+    less, and for a job that by itself costs more. Jobs keep their order as far as that allows."""
+    done, open_ones = [], []
+    for job in jobs:
+        cost = max(float(job["cost"]), 0)
+        room = next((c for c in open_ones if c[0] + cost <= most), None)
+        if room is None:
+            room = [0.0, []]
+            done.append(room)
+            open_ones.append(room)
+        room[0] += cost
+        room[1].append(job)
+        if room[0] >= least:
+            open_ones.remove(room)
+    return [c[1] for c in done]
 
 
 def put(name, text):
@@ -42,11 +61,11 @@ def submit(script, *options):
     return ran.stdout.strip().split(";")[0]
 
 
-def send(folder, cut):
+def send(folder, chunks):
     """Submits the chunks; numbers of the Slurm jobs, the last of them leaves `ended`."""
     root, numbers = os.getcwd(), []
-    for first in range(0, len(cut), ARRAY):
-        part = cut[first:first + ARRAY]
+    for first in range(0, len(chunks), ARRAY):
+        part = chunks[first:first + ARRAY]
         for n, chunk in enumerate(part, first + 1):
             commands = "".join(f"{shlex.join(job['command'])} || echo {shlex.quote(job['key'])}: "
                                "failed\n" for job in chunk)
@@ -99,10 +118,10 @@ def rounds(name, listed):
         number += 1
         folder = os.path.abspath(f"{name}.slurm/{number}")
         os.makedirs(folder)
-        cut = chunks.cut([job for job, _ in todo])
-        print(f"{what}: round {number}: {len(todo)} jobs in {len(cut)} chunks, {folder}",
+        chunks = cut([job for job, _ in todo])
+        print(f"{what}: round {number}: {len(todo)} jobs in {len(chunks)} chunks, {folder}",
               flush=True)
-        numbers = send(folder, cut)
+        numbers = send(folder, chunks)
         try:
             wait(folder, results, [job for job, _ in todo])
         finally:  # of what still runs, its results are there, or nobody waits any more

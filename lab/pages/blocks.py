@@ -4,7 +4,7 @@ import re
 from itertools import groupby
 from pathlib import Path
 
-from . import machine, markdown, verilog
+from . import definitions, markdown, verilog
 
 EVERYWHERE = "clk", "rst"
 CORE = "rt_core"
@@ -49,8 +49,8 @@ def _rows(items, value):
 
 
 def parameters(module):
-    """Those that effects() of machine.py has not."""
-    told = {e.core for e in machine.definition().effects.values()}
+    """Those that effects() of definitions.py has not."""
+    told = {e.core for e in definitions.definition().effects.values()}
     items = [item for item in _read(module)[0] if item.name not in told]
     return markdown.entries((f"{names} = {default}", meaning) for names, default, meaning
                             in _rows(items, lambda item: item.default))

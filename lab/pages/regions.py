@@ -4,7 +4,7 @@
 from ..effects import asks
 from .. import clocks, summary
 from ..papers import claims
-from . import blocks, board, bundles, cores, data, machine, measured, modes, rates, schema, state
+from . import blocks, board, cores, data, definitions, measured, rates, schema, state
 
 
 class Unknown(Exception):
@@ -13,29 +13,27 @@ class Unknown(Exception):
 
 def count(kind, *words):
     """How many lines of machine.def a kind has, those with all the words."""
-    return str(sum(set(words) <= set(row) for row in machine.rows(kind)))
+    return str(sum(set(words) <= set(row) for row in definitions.rows(kind)))
 
 
 def const(name):
-    return machine.constants()[name]
+    return definitions.constants()[name]
 
 
 MAKERS = {
-    "parameters": blocks.parameters, "ports": blocks.ports,
-    "interface": blocks.interface, "bundles": bundles.bundles,
-    "registers": machine.registers, "top_registers": machine.top_registers,
-    "effects": machine.effects, "counters": machine.counters,
-    "errors": machine.errors, "file_header": machine.file_header,
-    "file_number": machine.file_number, "profiles": machine.profiles, "widths": machine.widths,
-    "count": count, "const": const, "measured": measured.region, "rows": data.rows,
-    "cell": data.cell,
-    "core": cores.core, "cores": cores.cores, "inside": cores.inside, "yosys": cores.yosys,
-    "budget": cores.budget, "asks": asks.table, "modes": modes.modes, "core_runs": cores.runs,
-    "schema": schema.members, "claims": claims.table, "verdicts": claims.verdicts,
-    "board": board.board, "clock": clocks.mhz, "clocks": rates.routed, "rates": rates.table,
-    "state": state.table, "stages": state.counts,
-    "frames": rates.frames, "milliseconds": rates.milliseconds, "against": rates.against,
-    "nearest": rates.nearest, "misses": summary.misses,
+    "parameters": blocks.parameters, "ports": blocks.ports, "interface": blocks.interface,
+    "bundles": definitions.bundles, "registers": definitions.registers, "top_registers":
+    definitions.top_registers, "effects": definitions.effects, "counters": definitions.counters,
+    "errors": definitions.errors, "file_header": definitions.file_header, "file_number":
+    definitions.file_number, "profiles": definitions.profiles, "widths": definitions.widths,
+    "count": count, "const": const, "measured": measured.region, "rows": data.rows, "cell":
+    data.cell, "core": cores.core, "cores": cores.cores, "inside": cores.inside, "yosys":
+    cores.yosys, "budget": cores.budget, "asks": asks.table, "modes": definitions.modes,
+    "core_runs": cores.runs, "schema": schema.members, "claims": claims.table, "verdicts":
+    claims.verdicts, "board": board.board, "clock": clocks.mhz, "clocks": rates.routed, "rates":
+    rates.table, "state": state.table, "stages": state.counts, "frames": rates.frames,
+    "milliseconds": rates.milliseconds, "against": rates.against, "nearest": rates.nearest,
+    "misses": summary.misses,
 }
 
 

@@ -26,3 +26,16 @@ def golden(machine_path, frame_path, depth=None):
             bgr, = struct.unpack_from("<I", data, at + size * (y * width + x) + 4 * depth)
             row.append((bgr & 255) << 16 | bgr & 0xff00 | bgr >> 16)
         yield row
+
+
+def show_files(folder, path, frame):
+    """Writes FOLDER/machine.hex, memory.hex (words of 64 bits) and frame.hex (a pixel a line), as
+    tb/top/tb_show_icarus.v reads them: the frame that each value of MUX selects."""
+    registers, memory = machine(path)
+    words = struct.unpack(f"<{len(memory) // 8}Q", memory)
+    pixels = [colour for depth in (None, 0, 1, 2) for row in golden(path, frame, depth)
+              for colour in row]
+    for name, values, digits in (("machine", registers, 8), ("memory", words, 16),
+                                 ("frame", pixels, 6)):
+        text = "".join(f"{value:0{digits}x}\n" for value in values)
+        (Path(folder) / f"{name}.hex").write_text(text, encoding="utf-8")

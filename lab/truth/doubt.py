@@ -6,6 +6,8 @@ import math
 import re
 from pathlib import Path
 
+from ..runner import text_of
+
 NUDGE = 1e-9  # of the distance from the eye to what it looks at, along each axis
 
 
@@ -20,7 +22,7 @@ def camera(text):
 
 def nudged(scene, to, sign):
     """Writes the scene with its eye moved."""
-    text = Path(scene).read_text(encoding="utf-8")
+    text = text_of(scene)
     view = camera(text)
     by = sign * NUDGE * math.dist(view["from"], view["at"])
 
@@ -45,7 +47,7 @@ def dot(a, b):
 def beyond(scene, size, nearest):
     """For each pixel whether the ray of the eye meets a plane of the scene at `nearest` or farther
     away; nearest None: nowhere."""
-    text = Path(scene).read_text(encoding="utf-8")
+    text = text_of(scene)
     planes = [[float(word) for word in said.split()[:6]]
               for said in re.findall(r"(?m)^plane\s+(.*)$", text)]
     width, height = size

@@ -12,7 +12,7 @@ getcontext().prec = 60
 PI = Decimal("3.14159265358979323846264338327950288419716939937510582097494459")
 SAME = Decimal("1e-40")  # of t, or of an edge's volume: surfaces in one place, a ray in an edge
 NEAR = Decimal("1e-12")  # so near to that, that doubles may see it otherwise
-NUMBERS = {"from": 3, "at": 3, "up": 3, "angle": 1, "s": 4, "plane": 6}
+NUMBERS = {"from": 3, "at": 3, "up": 3, "angle": 1, "shift": 2, "s": 4, "plane": 6}
 ID_NONE = 0xffffff
 
 
@@ -113,15 +113,15 @@ def sphere(eye, said):
 
 def covered(view, size, corners):
     """The pixels that a triangle may cover: ranges of columns and rows."""
-    eye, axes, screen = view
+    eye, axes, screen, (left, top) = view
     width, height = size
     columns, rows = [], []
     for corner in corners:
         x, y, z = (float(dot(less(corner, eye), axis)) for axis in axes)
         if z > -1e-3 * math.hypot(x, y):
             return range(width), range(height)
-        columns.append((width - 1) / 2 - x / z * screen)
-        rows.append((height - 1) / 2 + y / z * screen)
+        columns.append(-x / z * screen - left)
+        rows.append(y / z * screen + top)
 
     def around(found, most):
         return range(max(0, math.floor(min(found)) - 1), min(most, math.ceil(max(found)) + 2))
@@ -135,16 +135,19 @@ def see(path, size):
     eye, back = camera["from"], unit(less(camera["from"], camera["at"]))
     right = unit(cross(camera["up"], back))
     axes, screen = (right, cross(back, right), back), height / (2 * tangent(camera["angle"][0] / 2))
+    aside, above = camera.get("shift", (0, 0))
+    left, top = (1 - width) / Decimal(2) + aside * height, (height - 1) / Decimal(2) + above * height
+    flat = eye, axes, float(screen), (float(left), float(top))
     every = range(width), range(height)
     tests = [(sphere(eye, said), every) for said in spheres]
     for kind, said in facets:
         if kind == "plane":
             tests.append((plane(eye, said), every))
         else:
-            tests.append((triangle(eye, said), covered((eye, axes, float(screen)), size, said)))
+            tests.append((triangle(eye, said), covered(flat, size, said)))
 
     def ray(x, y):
-        right, up = (2 * x + 1 - width) / Decimal(2), (height - 1 - 2 * y) / Decimal(2)
+        right, up = left + x, top - y
         way = tuple(right * a + up * b - screen * c for a, b, c in zip(*axes))
         return way, dot(way, way).sqrt()
     rays = [ray(x, y) for y in range(height) for x in range(width)]

@@ -15,7 +15,7 @@ def main(folder, *names):
     print("# povray.txt - pixels that POV-Ray 3.7 drew, made by lab/truth/points.py\n"
           "# SPDX-License-Identifier: Apache-2.0\n"
           "# scene depth x y id red green blue")
-    paths = {path.stem: path for _, path in scenes.named()}
+    paths = dict(scenes.named())
     kinds = {kind.replace(":", ""): kind for kind in scenes.GENERATED}
     for name in names:
         width, height, colours = pictures.ppm(os.path.join(folder, name + ".ppm"))

@@ -13,7 +13,8 @@ DEPTH = {"refraction": 4}  # of a folder; 2 elsewhere
 FILTER = ["--filter", "nearest"]  # as images are exported
 LEFT = {"empty": "nothing is in it"}
 MORE = [Path("tests/scenes/refraction/eye_in_glass.nff")]
-BY_NAME = [Path("scenes/effects/clear_facets.nff")]  # drawn if they are named, for points.py
+# drawn if they are named, for points.py
+BY_NAME = [("clear_facets", Path("scenes/effects/effects.nff:clear_facets"))]
 COINCIDENT = Path("tests/scenes/coincident")  # surfaces in one place, edges through pixels
 
 
@@ -32,7 +33,7 @@ def coincident():
 
 def named():
     """The same, and those that are drawn if they are named."""
-    return files() + [(path.stem, path) for path in BY_NAME]
+    return files() + BY_NAME
 
 
 def depth(path):

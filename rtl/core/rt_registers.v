@@ -49,34 +49,75 @@ module rt_registers #(
     assign light_valid_o  = valid_i && addr_i >= `RT_REG_LIGHT0_X && !offset[6];
     assign light_number_o = offset[5:3];
     assign light_part_o   = offset[2:0];
+    // registers of bundle regs: made by make layout
+    reg  [`RT_EFFECT_BITS-1:0] effects_q;
+    reg  [1:0] tex_filter_q;
     reg  [3:0] max_depth_q;
     reg  [8:0] least_q;
     reg  [3:0] n_lights_q;
     reg  [`RT_RGB_BITS-1:0] background_q;
-    reg  [47:0] ambient_q;                // {blue, green, red}
-    reg  [3*W-1:0] eye_q;                 // {z, y, x}
+    reg  [47:0] ambient_q;
+    reg  [3*W-1:0] eye_q;
     reg  [`RT_LINE_BITS-1:0] root_q;
     reg  [`RT_LINE_BITS-1:0] prim_base_q;
+    reg  [`RT_LINE_BITS-1:0] smooth_base_q;
     reg  [`RT_LINE_BITS-1:0] mem_lines_q;
     reg  [`RT_VISITS_BITS-1:0] visit_limit_q;
-    assign regs_o[`RT_REGS_EFFECTS]     = effects_o[`RT_EFFECT_BITS-1:0];
-    assign regs_o[`RT_REGS_MAX_DEPTH]   = max_depth_q;
-    assign regs_o[`RT_REGS_LEAST]       = least_q;
-    assign regs_o[`RT_REGS_N_LIGHTS]    = n_lights_q;
-    assign regs_o[`RT_REGS_BACKGROUND]  = background_q;
-    assign regs_o[`RT_REGS_AMBIENT]     = ambient_q;
-    assign regs_o[`RT_REGS_EYE]         = eye_q;
-    assign regs_o[`RT_REGS_ROOT]        = root_q;
-    assign regs_o[`RT_REGS_PRIM_BASE]   = prim_base_q;
-    assign regs_o[`RT_REGS_MEM_LINES]   = mem_lines_q;
+    reg  [`RT_ID_BITS-1:0] n_prims_q;
+    reg  [`RT_LINE_BITS-1:0] leaf_base_q;
+    reg  [`RT_ID_BITS-1:0] n_loose_q;
+    reg  [6*(W+2)-1:0] box_q;
+    always @(posedge clk)
+        if (valid_i) begin
+            if (addr_i == `RT_REG_EFFECTS) effects_q <= data_i[`RT_EFFECT_BITS-1:0];
+            if (addr_i == `RT_REG_TEX_FILTER) tex_filter_q <= data_i[1:0];
+            if (addr_i == `RT_REG_MAX_DEPTH) max_depth_q <= data_i[3:0];
+            if (addr_i == `RT_REG_LEAST_WEIGHT) least_q <= data_i[8:0];
+            if (addr_i == `RT_REG_N_LIGHTS) n_lights_q <= data_i[3:0];
+            if (addr_i == `RT_REG_BG_COLOUR) background_q <= data_i[`RT_RGB_BITS-1:0];
+            if (addr_i == `RT_REG_AMBIENT_R) ambient_q[0*16 +: 16] <= data_i[15:0];
+            if (addr_i == `RT_REG_AMBIENT_R + 7'd1) ambient_q[1*16 +: 16] <= data_i[15:0];
+            if (addr_i == `RT_REG_AMBIENT_R + 7'd2) ambient_q[2*16 +: 16] <= data_i[15:0];
+            if (addr_i == `RT_REG_EYE_X) eye_q[0*W +: W] <= data_i[W-1:0];
+            if (addr_i == `RT_REG_EYE_X + 7'd1) eye_q[1*W +: W] <= data_i[W-1:0];
+            if (addr_i == `RT_REG_EYE_X + 7'd2) eye_q[2*W +: W] <= data_i[W-1:0];
+            if (addr_i == `RT_REG_ROOT) root_q <= data_i[`RT_LINE_BITS-1:0];
+            if (addr_i == `RT_REG_PRIM_BASE) prim_base_q <= data_i[`RT_LINE_BITS-1:0];
+            if (addr_i == `RT_REG_SMOOTH_BASE) smooth_base_q <= data_i[`RT_LINE_BITS-1:0];
+            if (addr_i == `RT_REG_MEM_LINES) mem_lines_q <= data_i[`RT_LINE_BITS-1:0];
+            if (addr_i == `RT_REG_VISIT_LIMIT) visit_limit_q <= data_i[`RT_VISITS_BITS-1:0];
+            if (addr_i == `RT_REG_N_PRIMS) n_prims_q <= data_i[`RT_ID_BITS-1:0];
+            if (addr_i == `RT_REG_LEAF_BASE) leaf_base_q <= data_i[`RT_LINE_BITS-1:0];
+            if (addr_i == `RT_REG_N_LOOSE) n_loose_q <= data_i[`RT_ID_BITS-1:0];
+            if (addr_i == `RT_REG_BOX_X0) box_q[0*(W+2) +: (W+2)] <= data_i[(W+2)-1:0];
+            if (addr_i == `RT_REG_BOX_X0 + 7'd1) box_q[1*(W+2) +: (W+2)] <= data_i[(W+2)-1:0];
+            if (addr_i == `RT_REG_BOX_X0 + 7'd2) box_q[2*(W+2) +: (W+2)] <= data_i[(W+2)-1:0];
+            if (addr_i == `RT_REG_BOX_X0 + 7'd3) box_q[3*(W+2) +: (W+2)] <= data_i[(W+2)-1:0];
+            if (addr_i == `RT_REG_BOX_X0 + 7'd4) box_q[4*(W+2) +: (W+2)] <= data_i[(W+2)-1:0];
+            if (addr_i == `RT_REG_BOX_X0 + 7'd5) box_q[5*(W+2) +: (W+2)] <= data_i[(W+2)-1:0];
+        end
+    assign regs_o[`RT_REGS_EFFECTS] = effects_q;
+    assign regs_o[`RT_REGS_TEX_FILTER] = TEXTURE != 0 ? tex_filter_q : {2{1'b0}};
+    assign regs_o[`RT_REGS_MAX_DEPTH] = max_depth_q;
+    assign regs_o[`RT_REGS_LEAST] = least_q;
+    assign regs_o[`RT_REGS_N_LIGHTS] = n_lights_q;
+    assign regs_o[`RT_REGS_BACKGROUND] = background_q;
+    assign regs_o[`RT_REGS_AMBIENT] = ambient_q;
+    assign regs_o[`RT_REGS_EYE] = eye_q;
+    assign regs_o[`RT_REGS_ROOT] = root_q;
+    assign regs_o[`RT_REGS_PRIM_BASE] = prim_base_q;
+    assign regs_o[`RT_REGS_SMOOTH_BASE] = SMOOTH != 0 ? smooth_base_q : {`RT_LINE_BITS{1'b0}};
+    assign regs_o[`RT_REGS_MEM_LINES] = mem_lines_q;
     assign regs_o[`RT_REGS_VISIT_LIMIT] = visit_limit_q;
+    assign regs_o[`RT_REGS_N_PRIMS] = ACCEL != 0 ? n_prims_q : {`RT_ID_BITS{1'b0}};
+    assign regs_o[`RT_REGS_LEAF_BASE] = ACCEL != 0 ? leaf_base_q : {`RT_LINE_BITS{1'b0}};
+    assign regs_o[`RT_REGS_N_LOOSE] = ACCEL != 0 ? n_loose_q : {`RT_ID_BITS{1'b0}};
+    assign regs_o[`RT_REGS_BOX] = ACCEL != 0 ? box_q : {6*(W+2){1'b0}};
+    // end of those
     always @(posedge clk)
         if (valid_i)
             case (addr_i)
                 `RT_REG_EFFECTS:     effects_o       <= data_i;
-                `RT_REG_MAX_DEPTH:   max_depth_q     <= data_i[3:0];
-                `RT_REG_LEAST_WEIGHT: least_q        <= data_i[8:0];
-                `RT_REG_N_LIGHTS:    n_lights_q      <= data_i[3:0];
                 `RT_REG_WIN_X0:      window_o[13:0]  <= data_i[13:0];
                 `RT_REG_WIN_Y0:      window_o[27:14] <= data_i[13:0];
                 `RT_REG_WIN_X1:      window_o[41:28] <= data_i[13:0];
@@ -86,21 +127,10 @@ module rt_registers #(
                 `RT_REG_RECT_Y0:     rect_o[27:14]   <= data_i[13:0];
                 `RT_REG_RECT_X1:     rect_o[41:28]   <= data_i[13:0];
                 `RT_REG_RECT_Y1:     rect_o[55:42]   <= data_i[13:0];
-                `RT_REG_BG_COLOUR:   background_q    <= data_i[`RT_RGB_BITS-1:0];
-                `RT_REG_AMBIENT_R:   ambient_q[15:0]  <= data_i[15:0];
-                `RT_REG_AMBIENT_G:   ambient_q[31:16] <= data_i[15:0];
-                `RT_REG_AMBIENT_B:   ambient_q[47:32] <= data_i[15:0];
-                `RT_REG_EYE_X:       eye_q[0 +: W]    <= data_i[W-1:0];
-                `RT_REG_EYE_Y:       eye_q[W +: W]    <= data_i[W-1:0];
-                `RT_REG_EYE_Z:       eye_q[2*W +: W]  <= data_i[W-1:0];
                 `RT_REG_DIR_X0:      dir_o[0 +: WD]   <= data_i[WD-1:0];
                 `RT_REG_DIR_Y0:      dir_o[WD +: WD]  <= data_i[WD-1:0];
                 `RT_REG_DIR_Z:       dir_o[2*WD +: WD] <= data_i[WD-1:0];
                 `RT_REG_PITCH:       pitch_o         <= data_i[WD-1:0];
-                `RT_REG_ROOT:        root_q          <= data_i[`RT_LINE_BITS-1:0];
-                `RT_REG_PRIM_BASE:   prim_base_q     <= data_i[`RT_LINE_BITS-1:0];
-                `RT_REG_MEM_LINES:   mem_lines_q     <= data_i[`RT_LINE_BITS-1:0];
-                `RT_REG_VISIT_LIMIT: visit_limit_q   <= data_i[`RT_VISITS_BITS-1:0];
                 `RT_REG_PROFILE:     profile_o       <= data_i;
                 `RT_REG_FRAME:       frame_o         <= data_i[1:0];
                 `RT_REG_TREE: begin
@@ -121,25 +151,12 @@ module rt_registers #(
             assign eye[32*c +: 32]   = {{32-W{1'b0}}, eye_q[W*c +: W]};
         end
         if (TEXTURE != 0) begin : g_texture
-            reg [1:0] filter_q;
             reg [3:0] coarse_q;
-            always @(posedge clk) begin
-                if (valid_i && addr_i == `RT_REG_TEX_FILTER) filter_q <= data_i[1:0];
-                if (valid_i && addr_i == `RT_REG_COARSE)     coarse_q <= data_i[3:0];
-            end
-            assign regs_o[`RT_REGS_TEX_FILTER] = filter_q;
-            assign coarse_o     = coarse_q;
-        end else begin : g_no_texture
-            assign regs_o[`RT_REGS_TEX_FILTER] = 2'd0;
-            assign coarse_o     = 4'd0;
-        end
-        if (SMOOTH != 0) begin : g_smooth
-            reg [`RT_LINE_BITS-1:0] base_q;
             always @(posedge clk)
-                if (valid_i && addr_i == `RT_REG_SMOOTH_BASE) base_q <= data_i[`RT_LINE_BITS-1:0];
-            assign regs_o[`RT_REGS_SMOOTH_BASE] = base_q;
-        end else begin : g_no_smooth
-            assign regs_o[`RT_REGS_SMOOTH_BASE] = {`RT_LINE_BITS{1'b0}};
+                if (valid_i && addr_i == `RT_REG_COARSE) coarse_q <= data_i[3:0];
+            assign coarse_o = coarse_q;
+        end else begin : g_no_texture
+            assign coarse_o = 4'd0;
         end
         if (TURNED != 0) begin : g_turned
             localparam F = 32 - WD;                // bits of fraction; the camera's axes have none
@@ -185,30 +202,6 @@ module rt_registers #(
         end else begin : g_any_camera
             assign strayed_o = 1'b0;
             wire unused = &{1'b0, raster, eye};
-        end
-        if (ACCEL != 0) begin : g_bih
-            reg [`RT_ID_BITS-1:0] n_prims_q, n_loose_q;
-            reg [`RT_LINE_BITS-1:0] leaf_base_q;
-            reg [6*(W+2)-1:0] box_q;
-            wire [6:0]        side = addr_i - `RT_REG_BOX_X0;
-            integer           i;
-            always @(posedge clk)
-                if (valid_i) begin
-                    if (addr_i == `RT_REG_N_PRIMS)   n_prims_q   <= data_i[`RT_ID_BITS-1:0];
-                    if (addr_i == `RT_REG_LEAF_BASE) leaf_base_q <= data_i[`RT_LINE_BITS-1:0];
-                    if (addr_i == `RT_REG_N_LOOSE)   n_loose_q   <= data_i[`RT_ID_BITS-1:0];
-                    for (i = 0; i < 6; i = i + 1)
-                        if (side == i[6:0]) box_q[(W+2)*i +: W+2] <= data_i[W+1:0];
-                end
-            assign regs_o[`RT_REGS_N_PRIMS]   = n_prims_q;
-            assign regs_o[`RT_REGS_LEAF_BASE] = leaf_base_q;
-            assign regs_o[`RT_REGS_N_LOOSE]   = n_loose_q;
-            assign regs_o[`RT_REGS_BOX]       = box_q;
-        end else begin : g_four
-            assign regs_o[`RT_REGS_N_PRIMS]   = {`RT_ID_BITS{1'b0}};
-            assign regs_o[`RT_REGS_LEAF_BASE] = {`RT_LINE_BITS{1'b0}};
-            assign regs_o[`RT_REGS_N_LOOSE]   = {`RT_ID_BITS{1'b0}};
-            assign regs_o[`RT_REGS_BOX]       = {6*(W+2){1'b0}};
         end
     endgenerate
 endmodule

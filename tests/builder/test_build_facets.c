@@ -39,7 +39,8 @@ static void test_corners(void **unused) {
         struct sph_build_options o = standard;
         struct sph_build_report report;
         struct ancestors a = {0};
-        s.camera = (struct sph_camera){{0.5, 0.5, 0.5}, {0.5, 0.5, 0}, {0, 1, 0}, 40, 0, 64, 48};
+        s.camera = (struct sph_camera){{0.5, 0.5, 0.5}, {0.5, 0.5, 0}, {0, 1, 0}, 40,
+                                       .width = 64,     .height = 48};
         s.n_lights = 0;
         o.profile = run % SPH_PROFILES, o.tree = run & 4 ? SPH_TREE_PAPER : SPH_TREE_BALANCED;
         for (int i = 0; i < 30; i++) {

@@ -101,7 +101,8 @@ static struct sph_material materials[] = {{{0.9, 0.5, 0.3}, 0.7, 0.3, 1, 0, 1, 0
 static struct sph_scene units(struct sph_build_options *o) {
     struct sph_scene s = bare();
     s.n_lights = 0;
-    s.camera = (struct sph_camera){{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, 60, 0, WIDTH, HEIGHT};
+    s.camera =
+        (struct sph_camera){{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, 60, .width = WIDTH, .height = HEIGHT};
     s.ambient[0] = s.ambient[1] = s.ambient[2] = 0.2;
     s.background[2] = 1;
     s.materials = materials, s.n_materials = 3;

@@ -37,7 +37,8 @@ static struct sph_vec step(struct sph_vec from, struct sph_vec u, double far) {
  * one unit of the scene: what is whole there is exact. */
 static struct sph_scene empty(struct sph_build_options *o) {
     struct sph_scene s = {.name = "near", .path = "near.nff", .n_materials = 3};
-    s.camera = (struct sph_camera){{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, 40, 0, WIDTH, HEIGHT};
+    s.camera =
+        (struct sph_camera){{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, 40, .width = WIDTH, .height = HEIGHT};
     s.ambient[0] = s.ambient[1] = s.ambient[2] = 0.2;
     s.background[2] = 1;
     s.materials = materials;

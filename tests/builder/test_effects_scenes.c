@@ -5,11 +5,10 @@
  */
 #include "effects_scene.h"
 
-#include <glob.h>
-
 #include "validate/describe.h"
 #include "scene/generate.h"
 #include "textured.h"
+#include "scene_list.h"
 
 static struct sph_build_report report;
 
@@ -61,16 +60,14 @@ static void compare_all(const struct sph_scene *scene, int width, int height, st
 
 static void test_files(void **unused) {
     struct tally t = {0};
-    glob_t found;
+    static const char *const patterns[] = {"scenes/*.nff", "scenes/effects/effects.nff:*"};
+    struct scene_list found = list_scenes(patterns, 2);
     (void)unused;
-    assert_int_equal(glob("scenes/*.nff", 0, NULL, &found), 0);
-    assert_int_equal(glob("scenes/effects/*.nff", GLOB_APPEND, NULL, &found), 0);
-    for (size_t i = 0; i < found.gl_pathc; i++) {
-        struct sph_scene scene = scene_at(found.gl_pathv[i]);
+    for (size_t i = 0; i < found.n; i++) {
+        struct sph_scene scene = scene_at(found.name[i]);
         compare_all(&scene, 32, 18, &t);
         sph_scene_free(&scene);
     }
-    globfree(&found);
     print_tally(&t);
     assert_true(t.frames > 380);
 }
@@ -149,9 +146,9 @@ static int has(const char *list, const char *word) {
 static struct sph_scene scene_of(const char *name) {
     char path[256];
     int length = (int)strlen(name);
-    if (strcmp(name, "bih") == 0) return scene_at("scenes/effects/none.nff");
+    if (strcmp(name, "bih") == 0) return scene_at("scenes/effects/effects.nff:none");
     if (has(name, "bih")) length -= (int)strlen("_bih");
-    snprintf(path, sizeof path, "scenes/effects/%.*s.nff", length, name);
+    snprintf(path, sizeof path, "scenes/effects/effects.nff:%.*s", length, name);
     return scene_at(path);
 }
 
@@ -266,11 +263,8 @@ static void test_asks(void **unused) {
         lines++;
     }
     fclose(file);
-    glob_t found;
-    assert_int_equal(glob("scenes/*.nff", 0, NULL, &found), 0);
-    assert_int_equal(glob("scenes/[!e]*/*.nff", GLOB_APPEND, NULL, &found), 0); /* not effects/ */
-    assert_int_equal(lines, found.gl_pathc);
-    globfree(&found);
+    static const char *const patterns[] = {"scenes/*.nff", "scenes/[!e]*/*.nff"}; /* not effects/ */
+    assert_int_equal(lines, list_scenes(patterns, 2).n);
 }
 
 /* What an option makes of a scene: number, and parts of reason and warning. */
@@ -292,8 +286,8 @@ static void refuse(const struct sph_scene *s, struct sph_build_options o, const 
 }
 
 static void test_forced(void **unused) {
-    struct sph_scene all = scene_at("scenes/effects/shadow_interpenetrate.nff");
-    struct sph_scene none = scene_at("scenes/effects/none.nff");
+    struct sph_scene all = scene_at("scenes/effects/effects.nff:shadow_interpenetrate");
+    struct sph_scene none = scene_at("scenes/effects/effects.nff:none");
     struct sph_build_options o = standard, p;
     (void)unused;
 #define WITH(field, value) (p = o, p.field = (value), p)

@@ -136,7 +136,8 @@ static void test_groups(void **unused) {
     (void)unused;
     struct sph_scene s = bare();
     uint8_t want[400];
-    s.camera = (struct sph_camera){{0, 0, 4}, {0, 0, 0}, {0, 1, 0}, 40, 0, 64, 48}; /* step 2^-13 */
+    s.camera = (struct sph_camera){{0, 0, 4}, {0, 0, 0},   {0, 1, 0},
+                                   40,        .width = 64, .height = 48}; /* step 2^-13 */
     s.lights[0].pos = at(1, 3, 0), s.lights[1].pos = at(-3, 0, 0);
     add_triangle(&s, at(0, 0, 0), at(1, 0, 0), at(0, 1, 0), 0); /* a polygon, bent a little */
     add_triangle(&s, at(0, 1, 0), at(1, 0, 0), at(1, 1, 0.001), 0);
@@ -168,7 +169,7 @@ static void test_groups(void **unused) {
 static void test_left_out(void **unused) {
     (void)unused;
     struct sph_scene s = bare();
-    s.camera = (struct sph_camera){{0, 0, 4}, {0, 0, 0}, {0, 1, 0}, 40, 0, 64, 48};
+    s.camera = (struct sph_camera){{0, 0, 4}, {0, 0, 0}, {0, 1, 0}, 40, .width = 64, .height = 48};
     struct sph_build_report report;
     add_triangle(&s, at(0, 0, 0), at(1, 0, 0), at(0, 1, 0), 0);
     add_triangle(&s, at(0, 0, 0), at(1e-7, 0, 0), at(0, 1, 0), 1); /* two corners in one */
@@ -203,7 +204,7 @@ static void refuse(const struct sph_scene *s, struct sph_build_options o, const 
 static void test_twice(void **unused) {
     (void)unused;
     struct sph_scene s = bare();
-    s.camera = (struct sph_camera){{0, 0, 4}, {0, 0, 0}, {0, 1, 0}, 40, 0, 64, 48};
+    s.camera = (struct sph_camera){{0, 0, 4}, {0, 0, 0}, {0, 1, 0}, 40, .width = 64, .height = 48};
     struct sph_build_report report;
     const struct sph_vec a = at(0, 0, 0), b = at(1, 0, 0), c = at(0, 1, 0), d = at(1, 1, 0);
     add_triangle(&s, a, b, c, 0);

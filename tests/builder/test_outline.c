@@ -141,7 +141,8 @@ static void test_widened(void **unused) {
     struct sph_spans spans;
     long hit = 0;
     (void)unused;
-    assert_int_equal(sph_rays_fit(SIDE, SIDE, 0.05, sph_profiles[SPH_REFERENCE].wd, &rays, NULL),
+    assert_int_equal(sph_rays_fit(&(struct sph_raster){SIDE, SIDE, 0.05, {0, 0}},
+                                  sph_profiles[SPH_REFERENCE].wd, &rays, NULL),
                      0);
     assert_int_equal(sph_spans_make(&spans, &ball, eye, &rays, SIDE, SIDE, 2048, 0, NULL), 0);
     for (int y = 0; y < SIDE; y++)

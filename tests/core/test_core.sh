@@ -80,8 +80,9 @@ frames icarus 4x3 draft reference
 hard=$machines/hard
 rm -rf "$hard"
 mkdir -p "$hard"
-for scene in tests/hard/scenes/*.nff; do
-    scene_name=$(basename "$scene" .nff)
+sed -n 's/^scene //p' tests/hard/scenes.nff >"$TMP/scenes"
+while read -r scene_name; do
+    scene=tests/hard/scenes.nff:$scene_name
     for profile in draft standard fine reference; do
         file=$hard/$scene_name-$profile.sph
         "$SPHAERA" build "$scene" --profile $profile --size 16x12 -o "$file" >"$TMP/build" 2>&1 || {
@@ -95,7 +96,7 @@ for scene in tests/hard/scenes/*.nff; do
             check "hard case $scene_name 4x3" cat "$TMP/build"
         wanted "icarus hard case $scene_name" all SIM=icarus "$little"
     done
-done
+done <"$TMP/scenes"
 
 # Bits of EFFECTS: 1 shadow, 2 reflect, 4 inside, 8 first, 16 interpenetrate. The paper's tree puts
 # spheres into any order, so its first hit is often not the nearest, and pixels start again.
@@ -169,7 +170,7 @@ broken "wrong profile" 32 --reg 30=1
 mkdir -p "$machines/met"
 while read -r scene x y z; do
     moved=$machines/met/$scene.sph
-    "$SPHAERA" build tests/scenes/met/$scene.nff --profile draft --depth 10 --size 16x9 \
+    "$SPHAERA" build tests/scenes/met.nff:$scene --profile draft --depth 10 --size 16x9 \
         --accel bvh4 -o "$moved" >"$TMP/build" 2>&1 || check "$scene" cat "$TMP/build"
     eye=$("$SPHAERA" info "$moved" | awk -v by="$x $y $z" '
         /^grid/ { split(by, move); sub(/.*\^/, "", $3); step = 2 ^ $3 }

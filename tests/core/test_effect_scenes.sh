@@ -49,10 +49,10 @@ whole_of() { # list: the core with everything that draws it, or nothing
         esac
         scene=${title%_bih}
         [ "$scene" != bih ] || scene=none
-        echo "$title|scenes/effects/$scene.nff|$(echo "$options" | tr , ' ')|$list|$kind|$(
+        echo "$title|scenes/effects/effects.nff:$scene|$(echo "$options" | tr , ' ')|$list|$kind|$(
             whole_of "$list")"
     done
-    echo "first|scenes/effects/none.nff|--traverse=first|first|full|all"
+    echo "first|scenes/effects/effects.nff:none|--traverse=first|first|full|all"
     for way in rect spans exact; do
         built=$way
         [ $way != exact ] || built=cones1
@@ -127,7 +127,7 @@ done
 
 # ---- a reset of one clock in each clock of a frame: rays of one kind, one unit for them ----
 machine=$here/cut.sph
-$(build scenes/effects/none.nff 6x4 "$machine" "") >"$TMP/cut"
+$(build scenes/effects/effects.nff:none 6x4 "$machine" "") >"$TMP/cut"
 run "none: verilator, cut off in each clock" none SIM=verilator "$machine" --life --latency 3
 
 # ---- what is refused: core, what it lacks, registers EFFECTS MAX_DEPTH N_LIGHTS BG_MODE BG_COUNT

@@ -22,8 +22,10 @@ whole() { # own list: `all`, with what it lacks
     { sim/cores.py parameters --names all && echo none; } | sort | comm -23 "$TMP/own" - |
         sed '1s/^/+/' | paste -s -d + - | sed 's/^/all/'
 }
-for scene in scenes/*.nff scenes/effects/*.nff; do
+for scene in scenes/*.nff $(sed -n 's|^scene |scenes/effects/effects.nff:|p' \
+    scenes/effects/effects.nff); do
     name=${scene#scenes/} name=${name%.nff} options=
+    case $name in *:*) name=effects/${name#*:} ;; esac
     case $name in *"$CORE"*) ;; *) continue ;; esac
     case $name in
     effects/*)

@@ -46,7 +46,7 @@ machine inside scenes/inside.nff --depth 3
 machine triangles tests/scenes/facets/mixed.nff
 machine plane scenes/facets/plane.nff
 machine textures tests/scenes/texture/balls.nff
-machine smooth scenes/effects/smooth.nff
+machine smooth scenes/effects/effects.nff:smooth
 machine first scenes/interpenetrating.nff --traverse first
 machine boxes $room --accel box4 --depth 1
 machine bih $room --accel bih --depth 1

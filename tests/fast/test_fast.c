@@ -4,7 +4,6 @@
  * Run from the root of the repository: reads scenes/. Each is drawn in one of three profiles and
  * trees; with ALL=1 in all.
  */
-#include <glob.h>
 
 #include "builder/tree/box.h"
 #include "drawn.h"
@@ -13,6 +12,7 @@
 #include "fast/tile.h"
 #include "model_scene.h"
 #include "render/render.h"
+#include "scene_list.h"
 
 enum { LANES = SPH_FAST_PLAIN + 1 };
 
@@ -113,20 +113,17 @@ static void every_scene(void **state) {
     static const int trees[] = {SPH_TREE_PAPER, SPH_TREE_BALANCED, SPH_TREE_REINSERTED,
                                 SPH_TREE_BIH,   SPH_TREE_BRUTE,    SPH_TREE_BOX4};
     int drawn = 0;
-    glob_t found = {0};
+    struct scene_list found = list_scenes(patterns, sizeof patterns / sizeof *patterns);
     (void)state;
-    for (size_t i = 0; i < sizeof patterns / sizeof *patterns; i++)
-        assert_int_equal(glob(patterns[i], i ? GLOB_APPEND : 0, NULL, &found), 0);
-    for (size_t i = 0; i < found.gl_pathc; i++) {
-        struct sph_scene scene = read_scene(found.gl_pathv[i]);
+    for (size_t i = 0; i < found.n; i++) {
+        struct sph_scene scene = read_scene(found.name[i]);
         for (int p = 0; p < SPH_PROFILES; p++)
             for (int t = 0; t < (int)(sizeof trees / sizeof *trees); t++)
                 if (getenv("ALL") || (i + (size_t)p + (size_t)t) % 3 == 0)
-                    drawn += scene_in(&scene, found.gl_pathv[i], p, trees[t]);
+                    drawn += scene_in(&scene, found.name[i], p, trees[t]);
         sph_scene_free(&scene);
     }
     assert_true(drawn > 60);
-    globfree(&found);
 }
 
 /* The root its own children, each as large as can be: a stack that is full. */

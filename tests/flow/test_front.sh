@@ -186,7 +186,7 @@ cp scenes/paper5.nff "$elsewhere/b/x.nff"
 cp scenes/texture/*.png scenes/texture/hall.nff "$elsewhere"
 check "inside" shows scenes/inside.nff SCENE=inside
 first=$(sed -n 's,^picture \(.*\)/model.png$,\1,p' "$TMP/text") # last may be of another call
-check "effects/inside is another" shows scenes/effects/inside.nff SCENE=effects/inside
+check "effects/inside is another" shows scenes/effects/effects.nff:inside SCENE=effects/inside
 check "... and the first is as it was" [ "$("$SPHAERA" render "$first/scene.sph" |
     grep '^frame')" = "$(hash_of scenes/inside.nff)" ]
 check "a/x.nff, of the folder where make was called" shows "$elsewhere/a/x.nff" SCENE=a/x.nff

@@ -14,12 +14,14 @@ for name in nff aff pdb machine frame options image; do
     [ ! -d "tests/fuzz/corpus/$name" ] || cp tests/fuzz/corpus/"$name"/* "$to/$name/"
 done
 python3 tests/fuzz/corpus.py "$to"
-cp scenes/effects/*.nff scenes/one_sphere.nff scenes/refraction/*.nff "$to/nff/"
-for scene in effects/reflect_smooth effects/interpenetrate effects/lights refraction/four \
-    facets/plane inside empty; do
-    name=${scene##*/}
+cp scenes/effects/effects.nff scenes/one_sphere.nff scenes/refraction/*.nff "$to/nff/"
+awk -v to="$to/nff/" '/^scene / { name = to $2; printf "%s", common >name; next }
+    name { print >name; next } { common = common $0 "\n" }' scenes/effects/effects.nff
+for scene in effects/effects.nff:reflect_smooth effects/effects.nff:interpenetrate \
+    effects/effects.nff:lights refraction/four.nff facets/plane.nff inside.nff empty.nff; do
+    name=${scene##*[/:]} name=${name%.nff}
     for accel in bvh4 box4 bih brute; do
-        "$tool" build "scenes/$scene.nff" --size 8x5 --accel $accel \
+        "$tool" build "scenes/$scene" --size 8x5 --accel $accel \
             -o "$to/machine/$name-$accel" >/dev/null
     done
     "$tool" render "$to/machine/$name-bih" --frame "$to/frame/$name" >/dev/null
@@ -29,7 +31,7 @@ for way in rect spans exact; do
         -o "$to/machine/inside-$way" >/dev/null
 done
 for profile in draft fine reference; do
-    "$tool" build scenes/effects/sum.nff --size 8x5 --profile $profile \
+    "$tool" build scenes/effects/effects.nff:sum --size 8x5 --profile $profile \
         -o "$to/machine/sum-$profile" >/dev/null
 done
 for ending in png tif ppm bmp tga jpg exr; do

@@ -29,7 +29,7 @@ static const struct argp_option options[] = {
     {"case", 'c', "F:P:N", 0, "one case of family F, profile P, in full", 1},
     {"named", NAMED, "N", OPTION_ARG_OPTIONAL, "the named cases, or case N, as TAP", 1},
     {"list", LIST, 0, 0, "named cases and families as tables", 1},
-    {"scenes", SCENES, "DIR", 0, "scenes of the named cases (tests/hard/scenes)", 1},
+    {"scenes", SCENES, "FILE", 0, "scenes of the named cases (tests/hard/scenes.nff)", 1},
     {0}};
 
 struct arguments {
@@ -203,7 +203,7 @@ static int run_campaign(struct arguments *a) {
 int main(int argc, char **argv) {
     static const struct argp argp = {
         options, parse, "", "Hard cases: model, oracles, floating point.", 0, 0, 0};
-    struct arguments a = {.named = -1, .scenes = "tests/hard/scenes"};
+    struct arguments a = {.named = -1, .scenes = "tests/hard/scenes.nff"};
     a.campaign = (struct campaign){.seed = 1,
                                    .cases = 100000,
                                    .share = 1,

@@ -17,7 +17,7 @@ struct named {
     struct hard_tally tally;
     uint64_t vectors;
     int wrong;
-    const char *scenes;         /* folder */
+    const char *scenes;         /* file */
     struct hard_list *list;     /* vectors are added here and not judged; NULL: judged */
     struct hard_facets *facets; /* with list: those of facets (facet.h), NULL: left out */
     FILE *out;

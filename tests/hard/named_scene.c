@@ -229,7 +229,7 @@ void named_scene(struct named *n, const char *name) {
                                   .reflect = 1};
     struct sph_build_report report;
     if (n->list) return; /* runs of tests/core/test_core.sh */
-    snprintf(path, sizeof path, "%s/%s.nff", n->scenes, name);
+    snprintf(path, sizeof path, "%s:%s", n->scenes, name);
     int failed = sph_scene_read(path, &read, &scene, &err);
     require(n, !failed, "%s", err.text);
     if (failed) return;

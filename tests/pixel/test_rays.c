@@ -13,20 +13,31 @@ static void test_rays(void **unused) {
         const struct sph_profile *p = &sph_profiles[run % SPH_PROFILES];
         int width = (int)between(1, 1300), height = (int)between(1, 1000);
         double angle = between(0.5, 160);
+        struct sph_raster raster = {width, height, angle, {0, 0}};
         struct sph_rays r;
-        int64_t most = (1ll << (p->wd - 1)) - 1;
-        if (sph_rays_fit(width, height, angle, p->wd, &r, NULL)) {
+        int64_t most = (1ll << (p->wd - 1)) - 1, to[2] = {0, 0};
+        double heights = 0; /* that the corner farthest away is off by the shift */
+        for (int i = 0; i < 2 && run & 8; i++) {
+            raster.shift[i] = between(-2, 2) * pow(uniform(), 3);
+            heights = fmax(heights, fabs(raster.shift[i]));
+        }
+        if (sph_rays_fit(&raster, p->wd, &r, NULL)) {
             double far = height / tan(angle * M_PI / 360); /* with a pitch of 2 */
-            int side = width > height ? width : height;
+            double side = (width > height ? width : height) + 2 * heights * height;
             double wide = (double)most / (side - 0.999) * far; /* with the greatest pitch */
             assert_true(far > (double)most - 1 || side > most || wide < SPH_MIN_SCREEN + 1);
             continue;
         }
         assert_true(r.pitch >= 2 && r.pitch % 2 == 0 && r.z <= -SPH_MIN_SCREEN && r.z >= -most);
-        assert_true(r.x0 >= -most && r.x0 + (width - 1ll) * r.pitch == -(int64_t)r.x0);
-        assert_true(r.y0 <= most && r.y0 - (height - 1ll) * r.pitch == -(int64_t)r.y0);
-        double tangent = r.pitch * (height / 2.0) / -r.z;
-        assert_true(fabs(fabs(tangent / tan(angle * M_PI / 360) - 1) - r.fov_error) < 1e-9);
+        for (int i = 0; i < 2; i++)
+            to[i] = llround(raster.shift[i] * height * r.pitch);
+        int64_t x1 = r.x0 + (width - 1ll) * r.pitch, y1 = r.y0 - (height - 1ll) * r.pitch;
+        assert_true(r.x0 >= -most && x1 <= most && r.x0 - to[0] == to[0] - x1);
+        assert_true(y1 >= -most && r.y0 <= most && r.y0 - to[1] == to[1] - y1);
+        double tangent = r.pitch * (height / 2.0) / -r.z,
+               unit = sqrt(0.5) / (r.pitch * height / 2.);
+        double off = fabs(tangent / tan(angle * M_PI / 360) - 1);
+        assert_true(r.fov_error > off - 1e-9 && r.fov_error < off + (heights > 0) * unit + 1e-9);
     }
 }
 
@@ -39,7 +50,7 @@ static void test_widest(void **unused) {
         int side = (int)between(1, 64);
         double angle = 180 - pow(10, between(-6, 0));
         struct sph_rays r;
-        if (sph_rays_fit(side, side, angle, p->wd, &r, NULL)) {
+        if (sph_rays_fit(&(struct sph_raster){side, side, angle, {0, 0}}, p->wd, &r, NULL)) {
             double far = ldexp(1, p->wd - 1) * side / (side > 1 ? side - 1 : 1);
             assert_true(far / tan(angle * M_PI / 360) < SPH_MIN_SCREEN + 2);
             refused++;
@@ -70,7 +81,12 @@ static void test_rectangle(void **unused) {
     for (int run = 0; run < 3000; run++) {
         const struct sph_profile *p = &sph_profiles[run & 1 ? SPH_DRAFT : SPH_STANDARD];
         struct sph_rays r;
-        assert_int_equal(sph_rays_fit(W, H, between(5, 150), p->wd, &r, NULL), 0);
+        struct sph_raster raster = {W, H, between(5, 150), {0, 0}};
+        if (run & 4) raster.shift[0] = between(-1, 1), raster.shift[1] = between(-1, 1);
+        if (sph_rays_fit(&raster, p->wd, &r, NULL)) {
+            assert_true(run & 4); /* a wide screen to the side comes too near */
+            continue;
+        }
         double room = ldexp(1, p->w - 1) / 2;
         struct sph_ball ball;
         int32_t eye[3];

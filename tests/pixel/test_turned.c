@@ -63,6 +63,8 @@ static void test_directions(void **unused) {
         s.camera.from = anywhere(4);
         s.camera.at = anywhere(4);
         s.camera.angle = between(5, 100);
+        for (int i = 0; i < 2 && run & 4; i++) /* the view meets the screen beside the middle */
+            s.camera.shift[i] = between(-0.7, 0.7);
         o.profile = run % SPH_PROFILES;
         o.axes = SPH_AXES_SCENE;
         o.width = (int)between(1, 900), o.height = (int)between(1, 700);
@@ -78,7 +80,9 @@ static void test_directions(void **unused) {
         assert_true(sph_machine_effect(&m, SPH_EFFECT_TURNED));
         const struct sph_profile *p = &m.profile;
         assert_int_equal(sph_grid_fit(&s, p->w, SPH_AXES_SCENE, &grid, &err), 0);
-        assert_int_equal(sph_rays_of(o.width, o.height, grid.seen_from.angle, p, &rays, &err), 0);
+        struct sph_raster raster =
+            sph_raster_of(&s.camera, o.width, o.height, grid.seen_from.angle);
+        assert_int_equal(sph_rays_of(&raster, p, &rays, &err), 0);
         struct sph_machine_camera camera = sph_machine_camera(&m);
         assert_true(fabs(camera.screen / (-(double)rays.z / rays.pitch) - 1) < 1e-3);
         int64_t most = 0;
@@ -167,7 +171,7 @@ static void test_choice(void **unused) {
     o.background = SPH_BG_RECT;
     assert_int_equal(sph_axes_of(&s, &o), SPH_AXES_CAMERA);
     o.background = SPH_BG_NONE;
-    s.camera = (struct sph_camera){{0, 0, 4}, {0, 0, 0}, {0, 1, 0}, 40, 0, W, H};
+    s.camera = (struct sph_camera){{0, 0, 4}, {0, 0, 0}, {0, 1, 0}, 40, .width = W, .height = H};
     assert_int_equal(sph_axes_of(&s, &o), SPH_AXES_CAMERA); /* they are the scene's */
     s.n_facets = 0;
     s.camera.from = at(4, 3, 1.5);

@@ -110,7 +110,8 @@ static void reference_by_hand(void **state) {
     struct sph_material f = {.rgb = {1, 0.5, 0.25}, .kd = 0.5, .ks = 0.5};
     struct sph_sphere ball = {.ctr = {0, 0, 0}, .rad = 1};
     struct sph_scene scene = {.path = "by hand", .n_lights = 1, .n_materials = 1, .n_spheres = 1};
-    scene.camera = (struct sph_camera){{0, 0, 10}, {0, 0, 0}, {0, 1, 0}, 30, 0, 33, 33};
+    scene.camera =
+        (struct sph_camera){{0, 0, 10}, {0, 0, 0}, {0, 1, 0}, 30, .width = 33, .height = 33};
     scene.lights[0] = (struct sph_light){{0, 0, 20}, {0.75, 0.75, 0.75}, 0};
     scene.ambient[0] = scene.background[1] = 0.25;
     scene.materials = &f, scene.spheres = &ball;
@@ -142,7 +143,8 @@ static void facets_by_hand(void **state) {
         {.kind = SPH_PLANE, .v = {{3, 4, -5}, {0, 0, -2}}, .group = 1},
     };
     struct sph_scene scene = {.path = "by hand", .n_lights = 1, .n_materials = 1, .n_facets = 3};
-    scene.camera = (struct sph_camera){{0, 0, 10}, {0, 0, 0}, {0, 1, 0}, 30, 0, 33, 33};
+    scene.camera =
+        (struct sph_camera){{0, 0, 10}, {0, 0, 0}, {0, 1, 0}, 30, .width = 33, .height = 33};
     scene.lights[0] = (struct sph_light){{0, 0, 5}, {0.75, 0.75, 0.75}, 0};
     scene.ambient[0] = 0.25;
     scene.materials = &f, scene.facets = facets;
@@ -174,7 +176,8 @@ static struct sph_scene two_balls(struct sph_material *f, struct sph_sphere ball
     balls[0] = (struct sph_sphere){.ctr = {0, 0, -20}, .rad = 19};
     balls[1] = (struct sph_sphere){.ctr = {3, 0, 2}, .rad = 1};
     struct sph_scene scene = {.path = "two balls", .n_lights = 2, .n_materials = 1, .n_spheres = 2};
-    scene.camera = (struct sph_camera){{0, 0, 10}, {0, 0, 0}, {0, 1, 0}, 30, 0, 48, 48};
+    scene.camera =
+        (struct sph_camera){{0, 0, 10}, {0, 0, 0}, {0, 1, 0}, 30, .width = 48, .height = 48};
     scene.lights[0] = (struct sph_light){{0, 0, 20}, {0, 0, 0}, 0};
     scene.lights[1] = (struct sph_light){{8, 0, 10}, {0.75, 0.75, 0.75}, 0};
     scene.materials = f, scene.spheres = balls;

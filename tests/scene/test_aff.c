@@ -342,11 +342,12 @@ static void test_include(void **unused) {
 
 static int told, told_last;
 
-static void tell(void *user, int done, int all) {
+static int tell(void *user, int done, int all) {
     (void)user;
     assert_true(done >= told_last && done <= all);
     told += done > told_last;
     told_last = done;
+    return 0;
 }
 
 /* Three times a part of 40 kB, spheres and comments, within a file of 90 kB. */

@@ -52,6 +52,48 @@ static void test_skip(void **state) {
     sph_scene_free(&s);
 }
 
+/* Several scenes of one file: which is read, and what is wrong with others. */
+static void test_sections(void **state) {
+    static const char shared[] = "b 1 0 0\nf 1 1 1 1 0 0 0 1\n# scene no\n", rest[] = CAM;
+    static const struct {
+        const char *text, *section; /* section NULL: the file alone */
+        unsigned spheres;
+        const char *message; /* NULL: it is read */
+    } cases[] = {
+        /* the common part and its own */
+        {"scene a\ns 0 0 0 5\nscene b\ns 0 0 0 7\ns 0 0 2 1\n", "a", 1, NULL},
+        {"scene a\ns 0 0 0 5\nscene b\ns 0 0 0 7\ns 0 0 2 1\n", "b", 2, NULL},
+        /* another may have what is no NFF, and the word within a line */
+        {"scene a\ns 0 0 0 5\nscene b\ns scene b\ntexture \"of scene b\" 1\n", "a", 1, NULL},
+        {"s 0 0 0 4\n", "a", 0, "scene.nff: has no scene `a`"},
+        {"scene a\ns 0 0 0 5\n", "", 0, "scene.nff: has no scene ``"},
+        {"scene a\ns 0 0 0 5\nscene a\n", "a", 0, "scene.nff:13: second scene `a`"},
+        {"scene a\ns 0 0 0 5\n", NULL, 0, "there are several scenes: say "},
+        {"scene a\ns 0 0\nscene b\n", "a", 0, "scene.nff:13: `s`: z: `scene`"},
+        {"scene", "a", 0, "the file ends within `scene`, before name"},
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char text[512], path[sizeof file_name + 16];
+        struct sph_scene s;
+        struct sph_error err = {""};
+        const char *section = cases[i].section;
+        snprintf(text, sizeof text, "%s%s%s", shared, rest, cases[i].text);
+        put_file(text, strlen(text));
+        snprintf(path, sizeof path, "%s%s%s", file_name, section ? ":" : "",
+                 section ? section : "");
+        int bad = sph_scene_read(path, NULL, &s, &err);
+        if (!bad != !cases[i].message) fail_msg("case %zu: %s", i, err.text);
+        if (bad && !strstr(err.text, cases[i].message)) fail_msg("case %zu: %s", i, err.text);
+        if (bad) continue;
+        assert_int_equal(s.n_spheres, cases[i].spheres);
+        assert_true(s.background[0] == 1 && s.spheres[0].rad == 5 + 2 * (*section == 'b'));
+        assert_int_equal(s.spheres[0].line, 12 + 2 * (*section == 'b'));
+        assert_string_equal(s.name, section);
+        sph_scene_free(&s);
+    }
+}
+
 /* A scene of n spheres whose numbers have all bits random. */
 static void test_round_trip(void **state) {
     (void)state;
@@ -135,6 +177,7 @@ int main(void) {
     const struct CMUnitTest others[] = {
         cmocka_unit_test(test_good),       cmocka_unit_test(test_skip),
         cmocka_unit_test(test_round_trip), cmocka_unit_test(test_write_error),
-        cmocka_unit_test(test_locale),     cmocka_unit_test(test_digits)};
+        cmocka_unit_test(test_locale),     cmocka_unit_test(test_digits),
+        cmocka_unit_test(test_sections)};
     return run_cases("scene", NULL, NULL, 0, others, sizeof others / sizeof others[0]);
 }

@@ -27,7 +27,7 @@ for pattern in 'assumed_gamma 1 adc_bailout 0 max_trace_level Reflections' '^#ve
     check "it has $pattern" has "$pattern" "$TMP/water.pov"
 done
 check "each sphere once, glass and its shadow" [ "$(grep -c '^sphere' "$TMP/water.pov")" = 4 ]
-check "what light passes has none" [ "$("$s" export scenes/effects/clear_facets.nff |
+check "what light passes has none" [ "$("$s" export scenes/effects/effects.nff:clear_facets |
     grep -c no_shadow)" = 2 ]
 check "images" says 'hall.pov: 3 spheres, 3 facets' "$s" export $hall -o "$TMP/hall.pov"
 check "... by the names that the scene has" has 'image_map . "scenes/texture/globe.png" gamma 1' \

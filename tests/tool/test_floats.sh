@@ -37,7 +37,7 @@ refracted rays|scenes/refraction/nested.nff --size 64x36
 r["refracted"]["all"]["rays"] and not r["refracted"]["float64"]["rays"]
 rays that end at the first hit|scenes/interpenetrating.nff --size 64x36
 not f64["rays"] and there["hits"]
-clear facets let light through|scenes/effects/clear_facets.nff
+clear facets let light through|scenes/effects/effects.nff:clear_facets
 r["shadow"]["all"]["hits"] and not r["shadow"]["float64"]["rays"]
 planes that end with the grid; points that were rounded|scenes/facets/plane.nff --profile draft
 not f64["rays"] and 0 < there["roots"] < there["hits"] and not r["shadow"]["float32"]["rays"]

@@ -28,7 +28,9 @@ kept() { # the file at stake, command of the tool
     check "... and named" has "would overwrite .*, which is read" "$TMP/err"
     check "... and whole" cmp "$TMP/copy" "$file"
 }
+{ echo 'scene a' && cat "$TMP/paper5.nff"; } >"$TMP/sheet.nff"
 cd "$TMP" || exit 1
+kept sheet.nff build sheet.nff:a -o sheet.nff
 kept paper5.nff render paper5.nff --frame paper5.nff --size 8x8
 kept paper5.nff render paper5.nff --json ./paper5.nff --size 8x8
 kept paper5.nff build paper5.nff -o ../test_outputs.sh/paper5.nff

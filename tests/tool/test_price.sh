@@ -108,7 +108,7 @@ own() { # scene: the core of each row is that which build asks for
     done
 }
 for scene in light_below behind clear_behind; do
-    check "$scene: cores are those of make sim" own tests/scenes/met/$scene.nff
+    check "$scene: cores are those of make sim" own tests/scenes/met.nff:$scene
 done
 python3 -m lab known "$TMP/known.h"
 check "cells and clocks are those of docs/results/data" cmp cmodel/trial/known_table.h \

@@ -97,7 +97,7 @@ check "glass" measured scenes/refraction/nested.nff 160x90
 "$s" gen icosphere:4 | sed 's/^from .*/from 0 0 3.2/; s/^at .*/at 0 0 0/' >"$TMP/ball.nff"
 check "edges seen head-on, which hit pixels four at a time" measured "$TMP/ball.nff" 160x90
 check "images" measured scenes/texture/hall.nff 160x90
-check "without what no ray meets" measured tests/scenes/met/light_below.nff 160x90
+check "without what no ray meets" measured tests/scenes/met.nff:light_below 160x90
 check "pixels that cannot be told" measured tests/scenes/coincident/wall.nff 160x90
 check "a sample of a large frame" measured scenes/paper5.nff 1024x576
 estimated() { # why, options

@@ -1,11 +1,9 @@
 /* test_met.c - what no ray of a frame meets is left out, and the frame stays what it was
  * SPDX-License-Identifier: Apache-2.0
  *
- * build/test/test_met; run from the root of the repository: reads scenes/ and tests/scenes/met/.
+ * build/test/test_met; run from the root of the repository: reads scenes/ and tests/scenes/met.nff.
  */
 #include "effects_scene.h"
-
-#include <glob.h>
 
 #include "common/parallel.h"
 #include "machine/camera.h"
@@ -13,6 +11,7 @@
 #include "textured.h"
 #include "trial/met.h"
 #include "validate/validate.h"
+#include "scene_list.h"
 
 enum { WIDTH = 64, HEIGHT = 36 };
 
@@ -88,16 +87,13 @@ static void compare_scene(const char *path, int off[SPH_REPORTS], int *grids) {
 
 static void each_scene(void (*take)(const char *path, int off[SPH_REPORTS], int *n),
                        int off[SPH_REPORTS], int *n) {
-    static const char *const where[] = {"scenes/*.nff",          "scenes/effects/*.nff",
+    static const char *const where[] = {"scenes/*.nff",          "scenes/effects/effects.nff:*",
                                         "scenes/facets/*.nff",   "scenes/refraction/*.nff",
                                         "scenes/texture/*.nff",  "scenes/views/*.nff",
-                                        "tests/scenes/met/*.nff"};
-    glob_t found = {0};
-    for (size_t i = 0; i < sizeof where / sizeof *where; i++)
-        assert_int_equal(glob(where[i], i ? GLOB_APPEND : 0, NULL, &found), 0);
-    for (size_t i = 0; i < found.gl_pathc; i++)
-        take(found.gl_pathv[i], off, n);
-    globfree(&found);
+                                        "tests/scenes/met.nff:*"};
+    struct scene_list found = list_scenes(where, sizeof where / sizeof *where);
+    for (size_t i = 0; i < found.n; i++)
+        take(found.name[i], off, n);
 }
 
 static void test_same_frames(void **unused) {
@@ -157,7 +153,7 @@ static const struct moved {
  * it would show what is left out; its own is not. */
 static void move_one(const struct moved *t) {
     char path[128];
-    snprintf(path, sizeof path, "tests/scenes/met/%s.nff", t->scene);
+    snprintf(path, sizeof path, "tests/scenes/met.nff:%s", t->scene);
     struct read r = read_scene(path);
     r.o.max_depth = SPH_MAX_DEPTH;
     struct sph_machine every = build(&r, 0), some = build(&r, 1);

@@ -58,6 +58,41 @@ static void test_orbit(void **state) {
     }
 }
 
+/* The pointer is the head: what lies on the screen stays where it is seen, what lies behind it
+ * comes along with the eye; then the eye is where it was. */
+static void test_head(void **state) {
+    struct view_state s;
+    struct sph_build_options build = SPH_BUILD_DEFAULT;
+    struct view_event f = {.kind = VIEW_KEY_DOWN, .key = "f"},
+                      to = {.kind = VIEW_MOVE, .x = 60, .y = 5};
+    struct sph_vec behind = {0.5, -0.5, -2.5}; /* as far behind `at` as that is from the eye / 6 */
+    double was[4], is[4];
+    (void)state;
+    view_state_start(&s, &camera, &build);
+    seen(&s.camera, camera.at, &was[0], &was[1]);
+    seen(&s.camera, behind, &was[2], &was[3]);
+    view_state_input(&s, &to, 0);
+    same_place(s.camera.from, camera.from);
+    view_state_input(&s, &f, 0);
+    assert_int_equal(view_state_input(&s, &to, 0), 1);
+    near(view_distance(&s.camera), view_distance(&camera));
+    near(s.camera.angle, camera.angle);
+    seen(&s.camera, camera.at, &is[0], &is[1]);
+    seen(&s.camera, behind, &is[2], &is[3]);
+    near(is[0], was[0]);
+    near(is[1], was[1]);
+    struct sph_vec eye = sph_vec_sub(s.camera.from, s.camera.at);
+    near(sph_vec_dot(eye, sph_vec_sub(s.camera.at, camera.at)), 0); /* along the screen */
+    assert_true(is[2] > was[2] + 1 && is[3] < was[3] - 1);
+    seen(&s.camera, s.camera.at, &is[0], &is[1]); /* the eye is in front of the pointer */
+    near(is[0], 60 - 0.5);
+    near(is[1], 5 - 0.5);
+    view_state_input(&s, &f, 0);
+    same_place(s.camera.from, camera.from);
+    near(s.camera.shift[0], 0);
+    near(s.camera.shift[1], 0);
+}
+
 static void test_look(void **state) {
     (void)state;
     struct sph_camera c = {.from = {0, 0, 5}, .up = {0, 1, 0}, .angle = 40};
@@ -486,16 +521,16 @@ static int remove_script(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_orbit),    cmocka_unit_test(test_look),
-        cmocka_unit_test(test_walk),     cmocka_unit_test(test_pan),
-        cmocka_unit_test(test_angle),    cmocka_unit_test(test_line),
-        cmocka_unit_test(test_keys),     cmocka_unit_test(test_mouse),
-        cmocka_unit_test(test_fingers),  cmocka_unit_test(test_hold),
-        cmocka_unit_test(test_settings), cmocka_unit_test(test_profile),
-        cmocka_unit_test(test_script),   cmocka_unit_test(test_bad_script),
-        cmocka_unit_test(test_cells),    cmocka_unit_test(test_aim),
-        cmocka_unit_test(test_pick),     cmocka_unit_test(test_paint),
-        cmocka_unit_test(test_meter),
+        cmocka_unit_test(test_orbit),      cmocka_unit_test(test_look),
+        cmocka_unit_test(test_walk),       cmocka_unit_test(test_pan),
+        cmocka_unit_test(test_head),       cmocka_unit_test(test_angle),
+        cmocka_unit_test(test_line),       cmocka_unit_test(test_keys),
+        cmocka_unit_test(test_mouse),      cmocka_unit_test(test_fingers),
+        cmocka_unit_test(test_hold),       cmocka_unit_test(test_settings),
+        cmocka_unit_test(test_profile),    cmocka_unit_test(test_script),
+        cmocka_unit_test(test_bad_script), cmocka_unit_test(test_cells),
+        cmocka_unit_test(test_aim),        cmocka_unit_test(test_pick),
+        cmocka_unit_test(test_paint),      cmocka_unit_test(test_meter),
     };
     return cmocka_run_group_tests(tests, make_script, remove_script);
 }

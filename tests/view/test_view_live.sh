@@ -116,6 +116,20 @@ last=$(find "$TMP" -name 'v-0*.png' | sort | tail -1)
 check "the record ends with what was seen last" "$s" compare "$TMP/clear.png" "$last"
 check "and tells its names" has "record   $TMP/v-0000.png and so on" "$TMP/live"
 
+# Key f: the pointer is the head.
+cat >"$TMP/head.txt" <<END
+key f
+move 90 8
+wait refined
+screenshot $TMP/head.png
+scene $TMP/head.nff
+END
+# shellcheck disable=SC2086
+check "the pointer as the head" live scenes/oblique.nff $standard --script "$TMP/head.txt"
+# shellcheck disable=SC2086
+same "shows what the eye sees there" "$TMP/head.png" "$TMP/head.nff" $standard
+check "... of a picture that is shifted" grep -q '^shift' "$TMP/head.nff"
+
 # Key m: what `sphaera price` says of the frame, in each profile, and of a camera that moved; not
 # any more when it is pressed again.
 cat >"$TMP/price.txt" <<END

@@ -177,7 +177,10 @@ int sph_emit_effects(const struct sph_survey *survey, struct sph_machine *machin
             find_none(s, i, report); /* spread is settled behind textures */
     warn_missing(s->scene, &lights, report);
     regs[SPH_REG_MAX_DEPTH] = s->refracts ? s->options->max_depth : effects[SPH_REPORT_REFLECT].on;
-    regs[SPH_REG_LEAST_WEIGHT] = regs[SPH_REG_MAX_DEPTH] ? s->options->least_weight : 0;
+    int least = s->options->least_weight;
+    if (least < 0 || least > SPH_LEAST_WEIGHT_MAX)
+        return sph_fail(err, "least_weight %d is not in 0..%d", least, SPH_LEAST_WEIGHT_MAX);
+    regs[SPH_REG_LEAST_WEIGHT] = regs[SPH_REG_MAX_DEPTH] ? least : 0;
     regs[SPH_REG_EFFECTS] = 0;
     for (int i = 0; i < SPH_REPORTS; i++)
         if (sph_parts[i].bit >= 0) regs[SPH_REG_EFFECTS] |= (effects[i].on > 0) << sph_parts[i].bit;

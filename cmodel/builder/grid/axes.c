@@ -46,8 +46,9 @@ struct sph_eye sph_eye_place(const struct sph_scene *scene, const double axis[3]
     struct seen s = {-(lo[2] + hi[2]) / 2, (hi[2] - lo[2]) / 2,
                      fmax(fmax(hi[0], -lo[0]), fmax(hi[1], -lo[1]))};
     double tangent = tan(cam->angle * M_PI / 360), c = s.middle, best;
-    s.wide = fmin(s.wide, 2 * tangent * s.middle); /* no more is seen: frames are no wider */
-    double least = fmax(LEAST * s.deep, fmax(2 * s.wide, tangent * s.middle / WIDEST));
+    double side = tangent * (1 + 2 * fmax(fabs(cam->shift[0]), fabs(cam->shift[1])));
+    s.wide = fmin(s.wide, 2 * side * s.middle); /* no more is seen: frames are no wider */
+    double least = fmax(LEAST * s.deep, fmax(2 * s.wide, side * s.middle / WIDEST));
     if (!(least > 0 && s.middle > least) || !isfinite(s.middle)) return eye;
     double step = exp2(floor(log2(least) - w));
     if (!(step > 0)) return eye; /* below the least of doubles */

@@ -64,20 +64,31 @@ void sph_finer_of(const struct sph_scene *scene, const struct sph_profile *profi
 int sph_grid_finer(const struct sph_scene *scene, const struct sph_profile *profile, int axes,
                    double rad, double units);
 
+/* What of a camera makes directions: a width x height raster with a vertical field of view of
+ * `angle` degrees, its middle `shift` heights to the right of the view and above it. */
+struct sph_raster {
+    int width, height;
+    double angle, shift[2];
+};
+
+/* That of a camera for a picture of width x height pixels, seen at an angle (struct sph_eye); of a
+ * wall, that of all its pictures together. */
+struct sph_raster sph_raster_of(const struct sph_camera *camera, int width, int height,
+                                double angle);
+
 /* dir(x, y) = (x0 + x*pitch, y0 - y*pitch, z), integers of wd bits. */
 struct sph_rays {
     int32_t x0, y0, z, pitch;
-    double fov_error; /* relative, of tan(angle/2) */
+    double fov_error; /* relative, of tan(angle/2) and of the shift's rounding */
 };
 
-/* Primary rays of a width x height raster with a vertical field of view of `angle` degrees.
- * -1 if the raster is too large for wd bits. */
-int sph_rays_fit(int width, int height, double angle, int wd, struct sph_rays *rays,
+/* Primary rays of a raster. -1 if it is too large for wd bits. */
+int sph_rays_fit(const struct sph_raster *raster, int wd, struct sph_rays *rays,
                  struct sph_error *err);
 
 /* The same for a profile, with a screen as far away as its quotient asks; the message ends with the
  * finer profile that would do, if one does. */
-int sph_rays_of(int width, int height, double angle, const struct sph_profile *profile,
+int sph_rays_of(const struct sph_raster *raster, const struct sph_profile *profile,
                 struct sph_rays *rays, struct sph_error *err);
 
 /* The same rays along the axes of a grid that are not the camera's: first + x*across + y*down, of
@@ -88,8 +99,13 @@ struct sph_steps {
 };
 
 /* -1 if the screen comes too near for the profile. */
-int sph_rays_turn(const struct sph_rays *rays, int width, int height, const struct sph_grid *grid,
-                  const struct sph_profile *profile, struct sph_steps *steps,
-                  struct sph_error *err);
+int sph_rays_turn(const struct sph_rays *rays, const struct sph_raster *raster,
+                  const struct sph_grid *grid, const struct sph_profile *profile,
+                  struct sph_steps *steps, struct sph_error *err);
+
+/* Makes rays, and steps unless they are NULL, of a wall those of the camera's picture in it, of
+ * width x height pixels: they are the same, from another pixel on. */
+void sph_rays_tile(const struct sph_camera *camera, int width, int height, struct sph_rays *rays,
+                   struct sph_steps *steps);
 
 #endif

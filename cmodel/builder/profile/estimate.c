@@ -121,7 +121,7 @@ static void add_row(const struct sph_ref_job *j, const struct sph_ray_error *w, 
     const struct sph_ref_view *v = &j->view;
     for (int x = by / 2; x < v->width; x += by) {
         struct look at, right, below;
-        double dx = x - (v->width - 1) / 2.0, dy = y - (v->height - 1) / 2.0;
+        double dx = v->window.left + x, dy = v->window.top - y; /* from where the view goes */
         look(j, x, y, &at);
         look(j, x + 1, y, &right);
         look(j, x, y + 1, &below);
@@ -172,13 +172,14 @@ static int prepare(const struct sph_scene *scene, const struct sph_ref_view *vie
     struct sph_rays rays;
     w->scene = scene;
     w->profile = profile;
-    if (sph_grid_fit(scene, profile->w, axes, &w->grid, NULL) ||
-        sph_rays_of(view->width, view->height, w->grid.seen_from.angle, profile, &rays, NULL))
-        return 0;
+    if (sph_grid_fit(scene, profile->w, axes, &w->grid, NULL)) return 0;
+    const struct sph_raster raster =
+        sph_raster_of(&scene->camera, view->width, view->height, w->grid.seen_from.angle);
+    if (sph_rays_of(&raster, profile, &rays, NULL)) return 0;
     w->fov_error = rays.fov_error + w->grid.seen_from.off;
     struct sph_steps steps;
     if (axes == SPH_AXES_CAMERA) return 1;
-    if (sph_rays_turn(&rays, view->width, view->height, &w->grid, profile, &steps, NULL)) return 0;
+    if (sph_rays_turn(&rays, &raster, &w->grid, profile, &steps, NULL)) return 0;
     w->fov_error += steps.off;
     return 1;
 }
@@ -214,8 +215,8 @@ int sph_estimate(const struct sph_scene *scene, const struct sph_build_options *
     for (int p = 0; p < some; p++)
         w[p].tree = tree;
     j.tree = tree;
-    j.textures = (struct sph_ref_textures){scene,         how.mips, how.filter, how.lod,
-                                           j.view.screen, pixels,   how.spread};
+    j.textures = (struct sph_ref_textures){
+        scene, how.mips, how.filter, how.lod, j.view.window.screen, pixels, how.spread};
     int by = (int)ceil(sqrt(pixels / SAMPLE));
     samples = ((how.width - 1 - by / 2) / by + 1) * ((how.height - 1 - by / 2) / by + 1);
     int rc = tree ? add(&j, w, some, by, sums) : -1;

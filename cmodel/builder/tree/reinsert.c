@@ -183,6 +183,7 @@ struct work {
     uint64_t *key; /* of those that gain; two lists */
     uint32_t most; /* keys that there is room for */
     int failed;    /* memory is out */
+    int end;       /* nobody wants the tree any more */
     struct sph_links *links;
     uint32_t seen; /* steps of a round that are done */
     const struct sph_progress *progress;
@@ -220,10 +221,11 @@ static uint32_t most_first(const struct sph_links *l, struct work *w, const uint
 static void sides(void *user, uint32_t first, uint32_t end) {
     struct work *w = user;
     const struct sph_links *l = w->links;
-    for (uint32_t side = first; side < end; side++) {
+    for (uint32_t side = first; side < end && !__atomic_load_n(&w->end, __ATOMIC_RELAXED); side++) {
         if (side % STEP == STEP - 1) {
             uint32_t steps = __atomic_add_fetch(&w->seen, 1, __ATOMIC_RELAXED);
-            sph_progress_at(w->progress, (double)steps * STEP / (2 * l->n - 1));
+            if (sph_progress_at(w->progress, (double)steps * STEP / (2 * l->n - 1)))
+                __atomic_store_n(&w->end, 1, __ATOMIC_RELAXED);
         }
         uint32_t node = node_of(l, side);
         w->gain[node] = 0;
@@ -241,6 +243,7 @@ static uint32_t go_round(struct sph_links *l, struct work *w, const struct sph_p
     w->gain[l->root] = 0;
     w->links = l, w->seen = 0, w->progress = p;
     sph_parallel_for(all - 1, PARALLEL, sides, w);
+    if (w->end) return 0;
     memset(w->look, 0, all);
     uint32_t n = most_first(l, w, &key);
     for (uint32_t i = 0; i < n; i++) {
@@ -265,7 +268,7 @@ int sph_reinsert(struct sph_links *l) {
         for (int round = 0; round < ROUNDS; round++) { /* each takes some half of the one before */
             double from = 1 - exp2(-round), to = 1 - exp2(-round - 1);
             struct sph_progress part = sph_progress_part(l->progress, from, to);
-            if (!go_round(l, &w, &part)) break;
+            if (!go_round(l, &w, &part) || w.end) break;
             before = sum, sum = sph_links_fit(l, EXACT);
             if (before - sum < sum / ENOUGH) break;
         }
