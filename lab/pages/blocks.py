@@ -106,7 +106,7 @@ def benches():
     found = {}
     for line in Path("tb/benches.txt").read_text().splitlines():
         word = line.split("#")[0].removeprefix("more ").split()
-        if word:
+        if word and word[0] != "-O0":
             found.setdefault(word[1], []).append(word[2])
     return found
 
