@@ -122,7 +122,7 @@ LAZY_C     := cmodel/image/lazy.c
 IMAGE_C    := $(filter-out $(LAZY_C),$(filter cmodel/image/%,$(C_FILES)))
 API_C      := $(filter cmodel/sphaera/%,$(C_FILES))
 
-ARCHIVE := $B/libsphaera.a
+MODEL := $B/libsphaera.a
 IMAGE  := $B/libsphaera_image.a
 PICTURE := $(if $(OIIO),$B/sphaera_image.so)
 MESHES := $(if $(ASSIMP),$B/sphaera_mesh.so)

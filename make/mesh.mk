@@ -20,7 +20,7 @@ MESH_FLAGS = $(call pkg,--cflags assimp jansson | sed 's/-I/-isystem /g')
 $(MESH_C:%.c=$B/obj/%.o): override CFLAGS += $(MESH_FLAGS)
 $(MESH_C:%.c=$B/asan/obj/%.o): override CFLAGS += $(MESH_FLAGS)
 
-$B/sphaera_mesh.so: $(call objects,obj/,$(MESH_C)) $(ARCHIVE) $B/sources
+$B/sphaera_mesh.so: $(call objects,obj/,$(MESH_C)) $(MODEL) $B/sources
 	$(call say,LD,$(@F))
 	$(call make_whole,$(CC) -shared -Wl$(comma)-Bsymbolic -Wl$(comma)--no-undefined \
 	    $(filter %.o %.a,$^) $(call pkg,--libs assimp jansson) $(MODEL_LIBS))

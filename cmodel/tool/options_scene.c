@@ -18,12 +18,12 @@ enum {
     KEY_ROUND,
     KEY_TIME,
     KEY_STRICT,
-    KEY_CAMERA,
-    KEY_RADIUS,
-    KEY_UP,
     KEY_SHIFT,
     KEY_EYE,
-    KEY_WALL
+    KEY_WALL,
+    KEY_CAMERA,
+    KEY_RADIUS,
+    KEY_UP
 };
 
 static const struct argp_option options[] = {
