@@ -77,6 +77,8 @@ EXPERIMENTS = [Experiment(*row) for row in (
      ["study.experiment:estimate BUILD"]),
     ("clock-budget", "MHz of blocks routed alone, or of BLOCK: synth/clock_budget.txt; two minutes",
      ["synth.clock_budget BUILD synth/clock_budget.txt"]),
+    ("silicon-energy", "energies of frames and events: docs/results/silicon.md; 20 minutes",
+     ["silicon.events docs/results/silicon.md"]),
     ("truth", "docs/results/accuracy.md: the model against POV-Ray, scene by scene",
      ["truth.measure TOOL BUILD/truth", "truth.measure:scale TOOL BUILD/truth",
       "truth.page docs/results/accuracy.md BUILD/truth docs/pictures/truth"]),
@@ -101,6 +103,7 @@ GROUPS = {
         ("textures-page", "textures.page", "PAGE ACCURACY FOLDER PICTURES SIZE RTL_SIZE NAME...",
          "docs/results/texture_results.md"),
         ("fuzz-page", "fuzz", "RUNS PAGE", "what make fuzz has run"),
+        ("mesh-time", "mesh", "TOOL FOLDER PAGE", "what a mesh of a million triangles takes"),
     ),
     "what a run left": (
         ("report", "report.main", "--csv=FILE FOLDER", "report.html of make sim"),

@@ -93,6 +93,11 @@ enum { SPH_BUILD_SHARED = 1000 }; /* primitives from which on threads share a bu
  */
 enum { SPH_BIH_PRIMS = 4 };
 
+/* Whether options make the picture another one on purpose, not by fewer bits or effects. */
+static inline int sph_build_approximate(const struct sph_build_options *o) {
+    return o->least_weight || o->coarse || o->lod_literal;
+}
+
 /* The widths that are asked for. */
 static inline const struct sph_profile *sph_build_profile(const struct sph_build_options *o) {
     return o->widths ? o->widths : &sph_profiles[o->profile];

@@ -69,9 +69,9 @@ int sph_nff_fail(struct sph_reader *r, struct sph_error *err, const char *record
 int sph_nff_check_unit(struct sph_reader *r, const char *record, const char *const *names, int n,
                        const double *values, struct sph_error *err);
 
-/* What the numbers of a material, already in m, mean, with shares Ka and Kr: highlight, transmission
- * and index as NFF has them, which is Whitted's sum. One that has neither is left to blend if its
- * shares are no more than 1: that is the same, and less work. -1 under `strict`. */
+/* What the numbers of a material, already in m, mean, with shares Ka and Kr: highlight,
+ * transmission and index as NFF has them, which is Whitted's sum. One that has neither is left to
+ * blend if its shares are no more than 1: that is the same, and less work. -1 under `strict`. */
 int sph_nff_shade(struct sph_reader *r, const double share[2], struct sph_material *m,
                   struct sph_error *err);
 
