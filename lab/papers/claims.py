@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """A row for each item of a paper: where it stands, what the paper says, what is found here and why,
 where it is built (a file of cmodel/; a module of rtl/; - : in none), what tells the reason, of
-ORACLES, the command that shows it, and a word of VERDICTS. Names in braces are rows of docs/results/data/papers.tsv, of
-MEASURED, which page.py made of this experiment's runs, or rates of told(); other numbers are of the
-page that the row links."""
+ORACLES, the command that shows it, and a word of VERDICTS. Names in braces are rows of
+docs/results/data/papers.tsv, of MEASURED, which page.py made of this experiment's runs, or rates of
+told(); other numbers are of the page that the row links."""
 import re
 from pathlib import Path
 
@@ -39,7 +39,8 @@ BORODAVKA = [
      "([speed_and_area.md](speed_and_area.md#frames-a-second))",
      "-; rt_core", "text", "make bench", "built"),
     ("III", "viewpoint on the z axis, screen parallel to xOy, 1280x720",
-     "any camera, turned into this frame by [build](../design/builder.md#grid); up to 16383 x 16383",
+     "any camera, turned into this frame by [build](../design/builder.md#grid); up to 16383 x "
+     "16383",
      "builder/grid/axes.c; rt_registers", "bits", "make test ONLY=test_grid", "built"),
     ("IV.A, B", "sort by z, merge by 4; a sphere that is larger than the one around all is "
      "replaced by it",
@@ -215,8 +216,8 @@ BORODAVKA = [
      "built"),
     ("VII", "the frames' buffer is an internal FIFO of three frames",
      "three frames of 1280x720 in 24 bits are 8.3 million bytes, which no FPGA of its time holds: "
-     "[rt_frames](../reference/rt_top.md) keeps three in external memory, so that the display never "
-     "shows half of one, and a queue of lines is what is inside",
+     "[rt_frames](../reference/rt_top.md) keeps three in external memory, so that the display "
+     "never shows half of one, and a queue of lines is what is inside",
      "-; rt_frames", "text", "make top", "other"),
     ("VII", "a frame buffer of three frames, video by HDMI, control by a CPU",
      "[rt_top](../reference/rt_top.md) and [rt_video](../design/video.md), with a driver; every "
@@ -397,8 +398,8 @@ AROXA = [
      "trace/bih_walk.c; rt_bih_step", "numbers",
      "make test ONLY=test_bih", "refuted"),
     ("III.B", "boxes of primitives instead of their coordinates build 2 or 3 times as fast",
-     "cited from the BIH's own authors and not tried there; of a sphere, the thesis's only primitive, "
-     "the middle of the box is the centre. Here every primitive is sorted by its box",
+     "cited from the BIH's own authors and not tried there; of a sphere, the thesis's only "
+     "primitive, the middle of the box is the centre. Here every primitive is sorted by its box",
      "builder/tree/bih.c; -", "text", "make kinds", "not told"),
     ("Table 4.2", "statistics of three scenarios",
      "Scenario 1 agrees to the last number, the others in kind",
@@ -579,6 +580,9 @@ def table(paper):
             raise KeyError(f"{what}: the reason {oracle} is not one of ORACLES")
         if (command == "-") != (verdict == "not built"):
             raise KeyError(f"{what}: what is built, and that alone, has a command")
+        suite = re.fullmatch(r"make test ONLY=([\w.]+)", command)
+        if suite and not list(Path("tests").glob(f"*/{suite[1]}*")):
+            raise KeyError(f"{what}: there is no suite {suite[1]}")
         for _, figure in by_hand(here):
             raise KeyError(f"{what}: {figure} is told by hand, not by told()")
         if "not measured" in here:
