@@ -236,6 +236,7 @@ static int build(const struct sph_scene *scene, const struct sph_build_options *
     uint32_t n = scene->n_spheres;
     struct sph_plants plants = {balls, n, facets, profile, grid.eye, o->tree, &rays};
     if (sph_progress_at(o->progress, GRID)) return sph_fail(err, "%s: cancelled", scene->path);
+    tree->grows = o->paper_grows;
     tree->progress = sph_progress_part(o->progress, GRID, TREE);
     if (sph_emit_tree(scene, o, &plants, tree, m, report, err)) return -1;
     if (sph_progress_at(o->progress, TREE)) return sph_fail(err, "%s: cancelled", scene->path);
@@ -283,6 +284,8 @@ static int build_rest(const struct sph_scene *scene, const struct sph_build_opti
         if (lost[i]) {
             rc = sph_ledger_note(&rest.ledger, (enum sph_read)lost[i], scene->path,
                                  scene->spheres[i].line, err);
+            sph_ledger_take_back(
+                &rest.ledger, scene->ledger.row[SPH_READ_ATOM].n ? SPH_READ_ATOM : SPH_READ_SPHERE);
             continue;
         }
         if (o.unmet) prims[rest.n_spheres] = o.unmet->prims[i];

@@ -90,7 +90,7 @@ void sph_job_light(const struct sph_job *j, const struct sph_ray *ray, const str
                              .skip = {hit->id, hit->far},
                              .inside = j->inside,
                              .stages = j->stages};
-        sph_surface_leave(j->p, s, &to);
+        sph_surface_spawn(j->p, s, &to);
         for (int i = 0; i < 3; i++)
             to.dir[i] = lamp[i] - sph_round(s->point[i], lamp[3] >> SPH_LIGHT_SHIFT_LSB);
         sph_job_setup(j, &to);

@@ -107,7 +107,7 @@ static uint32_t shade(const struct sph_fast_job *j, const struct sph_fast_first 
 static void mirror(const struct sph_fast_job *j, const struct sph_hit *hit,
                    const struct sph_surface *s, struct sph_ray *ray) {
     int64_t dir[3];
-    sph_bounce(j->p, ray->dir, s, dir);
+    sph_reflect(j->p, ray->dir, s, dir);
     memcpy(ray->dir, dir, sizeof dir);
     memcpy(ray->org, s->point, sizeof ray->org);
     ray->kind = SPH_REFLECTED;

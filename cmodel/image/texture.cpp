@@ -20,6 +20,7 @@
 #include <OpenImageIO/strutil.h>
 
 #include "common/file.h"
+#include "common/number.h"
 #include "image/file.h"
 
 namespace {
@@ -47,10 +48,26 @@ int put_level(const OIIO::ImageBuf &level, std::uint32_t *texels) {
     return 0;
 }
 
+/* Where an image is: a file, or "file#first+bytes" for a part of one, as GLB files hold them. */
+struct place {
+    std::string file;
+    unsigned long long first = 0, bytes = 0; /* bytes 0: the whole file */
+};
+
+place place_of(const char *path) {
+    place p{path};
+    const char *mark = std::strrchr(path, '#'), *at = mark ? mark + 1 : path;
+    std::uint64_t first = 0, bytes = 0;
+    if (!mark || sph_take_count(&at, 0, SPH_INPUT_ANY, &first) || sph_take_char(&at, '+') ||
+        sph_parse_count(at, 1, MOST_BYTES, &bytes) || OIIO::Filesystem::exists(path))
+        return p;
+    return {std::string(path, mark), first, bytes};
+}
+
 /* Whether a JPEG file has its end-of-image marker: OpenImageIO fills what is missing with grey. */
-bool jpeg_ends(const char *path) {
-    std::vector<unsigned char> bytes(static_cast<std::size_t>(OIIO::Filesystem::file_size(path)));
-    OIIO::Filesystem::read_bytes(path, bytes.data(), bytes.size());
+bool jpeg_ends(const place &p) {
+    std::vector<unsigned char> bytes(p.bytes ? p.bytes : OIIO::Filesystem::file_size(p.file));
+    OIIO::Filesystem::read_bytes(p.file, bytes.data(), bytes.size(), p.first);
     for (std::size_t i = 2; i + 1 < bytes.size();) {
         unsigned marker = bytes[i] == 0xff ? bytes[i + 1] : 0;
         if (marker == 0xd9) return true;
@@ -71,14 +88,22 @@ const char *unfit(const OIIO::ImageSpec &spec) {
     return nullptr;
 }
 
-/* Whether colours are multiplied by alpha, as the reader gives them: what it says itself, then what
- * formats have whose readers say nothing. */
-bool is_multiplied(const OIIO::ImageInput &in, const OIIO::ImageSpec &spec) {
-    static const char *const formats[] = {"webp", "openexr", "tiff", "targa", "psd", "jpegxl"};
+/* Whether colours are multiplied by alpha, as the reader gives them. That is OpenImageIO's rule for
+ * what its reader does not call unassociated, but readers of formats that have no such colours do
+ * not say so. Of whole numbers one colour above its alpha shows that they are not. pixel: of n
+ * channels, colour first. */
+bool is_multiplied(const OIIO::ImageInput &in, const OIIO::ImageSpec &spec,
+                   const std::vector<float> &pixel, std::size_t alpha) {
+    static const char *const plain[] = {"bmp", "ico", "dds"};
+    const float least = 1 / 255.0f; /* what rounding leaves */
+    const std::size_t n = static_cast<std::size_t>(spec.nchannels);
     if (spec.get_int_attribute("oiio:UnassociatedAlpha")) return false;
-    for (const char *format : formats)
-        if (!std::strcmp(in.format_name(), format)) return true;
-    return false;
+    for (const char *format : plain)
+        if (!std::strcmp(in.format_name(), format)) return false;
+    for (std::size_t i = 0; i < pixel.size() && !spec.format.is_floating_point(); i += n)
+        for (std::size_t c = 0; c < alpha; c++)
+            if (pixel[i + c] > pixel[i + alpha] + least) return false;
+    return true;
 }
 
 const float LINEAR = 0, SRGB = -1; /* else the exponent that makes it linear */
@@ -106,10 +131,20 @@ float light_of(float v, float transfer) {
 /* Reads level 0 into a buffer of red, green, blue, alpha, all limited to 0 .. 1. */
 int read_level(const char *path, int colours, OIIO::ImageBuf *to, int *decoded,
                struct sph_error *err) {
-    if (sph_picture::refuse_unsound(path, err)) return -1;
+    const place p = place_of(path);
+    std::vector<unsigned char> bytes(p.bytes);
+    OIIO::Filesystem::IOMemReader memory(bytes.data(), bytes.size());
+    if (p.bytes &&
+        OIIO::Filesystem::read_bytes(p.file, bytes.data(), bytes.size(), p.first) != bytes.size())
+        return sph_fail(err, "%s: the file ends within it", path);
+    if (!p.bytes && sph_picture::refuse_unsound(path, err)) return -1;
     OIIO::ImageSpec config;
     config.attribute("oiio:UnassociatedAlpha", 1);
-    std::unique_ptr<OIIO::ImageInput> in = OIIO::ImageInput::open(path, &config);
+    /* what glTF has: PNG and JPEG */
+    const char *name = !p.bytes ? path : bytes[0] == 0xff ? "part.jpg" : "part.png";
+    OIIO::Filesystem::IOProxy *proxy = &memory;
+    if (p.bytes) config.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
+    std::unique_ptr<OIIO::ImageInput> in = OIIO::ImageInput::open(name, &config);
     if (!in)
         return sph_fail(err, "%s: %s", path,
                         sph_picture::reason(OIIO::geterror(), "not an image").c_str());
@@ -123,14 +158,14 @@ int read_level(const char *path, int colours, OIIO::ImageBuf *to, int *decoded,
     if (!in->read_image(0, 0, 0, spec.nchannels, OIIO::TypeFloat, from.data()))
         return sph_fail(err, "%s: %s", path,
                         sph_picture::reason(in->geterror(), "ends early").c_str());
-    if (!std::strcmp(in->format_name(), "jpeg") && !jpeg_ends(path))
+    if (!std::strcmp(in->format_name(), "jpeg") && !jpeg_ends(p))
         return sph_fail(err, "%s: ends early", path);
 
     const int grey = n < 3;
     const std::size_t colour[3] = {0, grey ? 0u : 1u, grey ? 0u : 2u};
     const std::size_t alpha = grey ? 1 : 3;
     const bool has_alpha = n > alpha && (grey || spec.alpha_channel == 3);
-    const bool multiplied = has_alpha && is_multiplied(*in, spec);
+    const bool multiplied = has_alpha && is_multiplied(*in, spec, from, alpha);
     const float transfer = transfer_of(spec, colours);
     *decoded = transfer != LINEAR;
     std::vector<float> all(from.size() / n * CHANNELS);
@@ -177,7 +212,8 @@ int load(const char *path, int colours, struct sph_mip *mip, struct sph_error *e
 
 int sph_mip_load(const char *path, int colours, struct sph_mip *mip, struct sph_error *err) {
     *mip = {};
-    std::FILE *probe = sph_input_open(path, MOST_BYTES, err); /* OpenImageIO takes any file */
+    const place p = place_of(path); /* OpenImageIO takes any file */
+    std::FILE *probe = sph_input_open(p.file.c_str(), p.bytes ? SPH_INPUT_ANY : MOST_BYTES, err);
     if (!probe) return -1;
     int empty = std::fgetc(probe) == EOF;
     int why = errno;

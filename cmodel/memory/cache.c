@@ -29,19 +29,19 @@ static uint32_t victim(const struct sph_cache *cache, const struct sph_cache_lin
     uint32_t first = cache->ways;
     for (uint32_t at = 0; at < cache->ways; at++) {
         if (cache->late && set[at].miss > cache->came) continue;
-        if (!set[at].lately) return at;
+        if (!set[at].recent) return at;
         if (first == cache->ways) first = at;
     }
     return first;
 }
 
 static void touch(const struct sph_cache *cache, struct sph_cache_line *set, uint32_t way) {
-    uint32_t lately = 0;
-    set[way].lately = 1;
+    uint32_t recent = 0;
+    set[way].recent = 1;
     for (uint32_t at = 0; at < cache->ways; at++)
-        lately += set[at].lately;
-    for (uint32_t at = 0; at < cache->ways && lately == cache->ways; at++)
-        set[at].lately = at == way;
+        recent += set[at].recent;
+    for (uint32_t at = 0; at < cache->ways && recent == cache->ways; at++)
+        set[at].recent = at == way;
 }
 
 int sph_cache_ask(struct sph_cache *cache, uint32_t word) {
@@ -54,7 +54,7 @@ int sph_cache_ask(struct sph_cache *cache, uint32_t word) {
     if (at == cache->ways) return -1;
     cache->asked++;
     cache->missed += (uint64_t)missed;
-    if (missed) set[at] = (struct sph_cache_line){line, set[at].lately, cache->missed};
+    if (missed) set[at] = (struct sph_cache_line){line, set[at].recent, cache->missed};
     touch(cache, set, at);
     return missed;
 }

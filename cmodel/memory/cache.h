@@ -16,7 +16,7 @@
 
 struct sph_cache_line {
     uint32_t line;   /* its number + 1; 0: empty, or a bus error came with it */
-    uint32_t lately; /* used since all of the set were */
+    uint32_t recent; /* used since all of the set were */
     uint64_t miss;   /* it was fetched by this miss, the first is 1 */
 };
 

@@ -186,8 +186,8 @@ static double half_to(double x) {
     return exp2(-x);
 }
 
-int64_t sph_naive_shine(const int64_t n[3], const int64_t l[3], const int64_t d[3],
-                        uint32_t power) {
+int64_t sph_naive_specular(const int64_t n[3], const int64_t l[3], const int64_t d[3],
+                           uint32_t power) {
     int64_t nl = 0, nd = 0, ld = 0, e = 0;
     for (int i = 0; i < 3; i++) {
         nl += n[i] * l[i];

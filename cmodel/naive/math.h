@@ -38,6 +38,7 @@ int sph_naive_refract(const struct sph_profile *p, const int64_t d[3], const int
 
 /* max(0, cosine of mirrored light and way back)^(power/16), u1.15, of unit vectors s1.16: normal,
  * to the light, along the ray. */
-int64_t sph_naive_shine(const int64_t n[3], const int64_t l[3], const int64_t d[3], uint32_t power);
+int64_t sph_naive_specular(const int64_t n[3], const int64_t l[3], const int64_t d[3],
+                           uint32_t power);
 
 #endif

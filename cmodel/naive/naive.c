@@ -114,7 +114,7 @@ static void light(const struct sph_machine *m, const struct sph_ray *from,
         cosine = min(sph_naive_round64(cosine, 17), 32768);
         if (cosine <= 0) continue;
         if (on(m, SPH_EFFECT_SHADOW) && sph_naive_trace(m, &ray).how.hit) continue;
-        int64_t shine = f->prim.ks ? sph_naive_shine(s->unit, to, along, f->prim.power) : 0;
+        int64_t shine = f->prim.ks ? sph_naive_specular(s->unit, to, along, f->prim.power) : 0;
         for (int i = 0; i < 3; i++) {
             matt[i] += sph_naive_round64(cosine * (lamp[3 + i] % 65536), 15);
             gloss[i] += sph_naive_round64(shine * (lamp[3 + i] % 65536), 15);

@@ -87,8 +87,8 @@ int sph_ref_refract(const double dir[3], const double normal[3], double ratio, d
     return 1;
 }
 
-double sph_ref_shine(const double normal[3], const double to_light[3], const double dir[3],
-                     double shine) {
+double sph_ref_specular(const double normal[3], const double to_light[3], const double dir[3],
+                        double shine) {
     double cosine = dot(normal, to_light), back[3];
     for (int i = 0; i < 3; i++)
         back[i] = to_light[i] - 2 * cosine * normal[i]; /* mirrored light, turned round */
@@ -141,7 +141,7 @@ static struct lit light(const struct sph_ref_job *j, const double at[3], const d
             lit.blocked |= 1u << l;
             continue;
         }
-        double gloss = shine > 0 ? sph_ref_shine(normal, to, dir, shine) : 0;
+        double gloss = shine > 0 ? sph_ref_specular(normal, to, dir, shine) : 0;
         for (int i = 0; i < 3; i++) {
             lit.matt[i] += cosine * lamp->rgb[i];
             lit.full[i] += lamp->rgb[i];

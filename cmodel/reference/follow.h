@@ -52,8 +52,8 @@ void sph_ref_reflect_all(struct sph_ref_shares *shares, const struct sph_materia
 int sph_ref_refract(const double dir[3], const double normal[3], double ratio, double out[3]);
 
 /* max(0, mirrored light . way back)^shine. */
-double sph_ref_shine(const double normal[3], const double to_light[3], const double dir[3],
-                     double shine);
+double sph_ref_specular(const double normal[3], const double to_light[3], const double dir[3],
+                        double shine);
 
 struct sph_ref_job {
     const struct sph_scene *scene;

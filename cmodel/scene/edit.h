@@ -41,8 +41,8 @@ int sph_scene_add_light(struct sph_scene *scene, struct sph_vec pos, double red,
 void sph_scene_set_path(struct sph_scene *scene, const char *path);
 
 /* Is the camera usable: eye and target apart, up not parallel to the view, angle within
- * 0..180 degrees, shift as window.h has it, resolution 1..SPH_MAX_RESOLUTION? where: start of the message, such as
- * "file:line". 0, or -1 with a message. */
+ * 0..180 degrees, shift as window.h has it, resolution 1..SPH_MAX_RESOLUTION? where: start of the
+ * message, such as "file:line". 0, or -1 with a message. */
 int sph_camera_check(const struct sph_camera *camera, const char *where, struct sph_error *err);
 
 /* Looks for two spheres with the same centre and radius (a ray cannot tell them apart).

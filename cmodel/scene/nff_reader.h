@@ -15,12 +15,13 @@ enum { SPH_SHADING_NFF, SPH_SHADING_BLEND, SPH_SHADING_SUM }; /* `shading`; NFF:
 struct sph_reader {
     struct sph_lex lex;
     struct sph_scene *scene;
-    int skip;           /* leave unsupported primitives out */
-    double round;       /* of cones, see frustum.h */
-    uint32_t material;  /* the newest one of the file */
-    int material_used;  /* a primitive uses it */
-    int shading;        /* SPH_SHADING_*: of the materials that follow */
-    int ended;          /* the record has been noted in the ledger */
+    int skip;          /* leave unsupported primitives out */
+    double round;      /* of cones, see frustum.h */
+    uint32_t material; /* the newest one of the file */
+    int material_used; /* a primitive uses it */
+    int shading;       /* SPH_SHADING_*: of the materials that follow */
+    int ended;         /* the record has been noted in the ledger as the kind */
+    enum sph_read kind;
     int clear;          /* `shadows clear`: shadow rays pass those that transmit */
     uint32_t texture;   /* of the spheres and planes that follow: index + 1, 0: none */
     uint32_t motion;    /* of the primitives that follow: index + 1, 0: still */
@@ -55,6 +56,9 @@ int sph_nff_vec(struct sph_reader *r, const char *record, struct sph_vec *v, str
 int sph_nff_more(struct sph_reader *r, const char *record, const char *const *names, int n,
                  double *values, struct sph_error *err);
 
+/* Marks the facets from this one on as of a record that counts as a kind. */
+void sph_nff_mark(struct sph_reader *r, uint32_t facets, enum sph_read kind);
+
 /* Notes in the ledger how the record of that line, or a part of it, ended. -1 under `strict`. */
 int sph_nff_note(struct sph_reader *r, enum sph_read kind, uint32_t line, struct sph_error *err);
 
@@ -65,9 +69,9 @@ int sph_nff_fail(struct sph_reader *r, struct sph_error *err, const char *record
 int sph_nff_check_unit(struct sph_reader *r, const char *record, const char *const *names, int n,
                        const double *values, struct sph_error *err);
 
-/* What the numbers of a material, already in m, mean, with shares Ka and Kr: highlight, transmission
- * and index as NFF has them, which is Whitted's sum. One that has neither is left to blend if its
- * shares are no more than 1: that is the same, and less work. -1 under `strict`. */
+/* What the numbers of a material, already in m, mean, with shares Ka and Kr: highlight,
+ * transmission and index as NFF has them, which is Whitted's sum. One that has neither is left to
+ * blend if its shares are no more than 1: that is the same, and less work. -1 under `strict`. */
 int sph_nff_shade(struct sph_reader *r, const double share[2], struct sph_material *m,
                   struct sph_error *err);
 

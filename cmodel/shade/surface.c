@@ -83,8 +83,8 @@ void sph_surface_bend(const struct sph_profile *p, int far, const int64_t vector
     s->bent = 1;
 }
 
-void sph_bounce(const struct sph_profile *p, const int64_t dir[3], const struct sph_surface *s,
-                int64_t out[3]) {
+void sph_reflect(const struct sph_profile *p, const int64_t dir[3], const struct sph_surface *s,
+                 int64_t out[3]) {
     const int64_t *n = s->normal;
     int64_t dn = dir[0] * n[0] + dir[1] * n[1] + dir[2] * n[2];
     sph_i128 mirrored[3];
@@ -97,12 +97,12 @@ void sph_mirror(const struct sph_profile *p, const int64_t dir[3], const struct 
                 int64_t out[3]) {
     const int64_t *n = s->side;
     int64_t once[3];
-    sph_bounce(p, dir, s, out);
+    sph_reflect(p, dir, s, out);
     if (!s->bent || out[0] * n[0] + out[1] * n[1] + out[2] * n[2] >= 0) return;
     struct sph_surface facet = {.nn = (uint64_t)(n[0] * n[0] + n[1] * n[1] + n[2] * n[2])};
     for (int i = 0; i < 3; i++)
         facet.normal[i] = n[i], once[i] = out[i];
-    sph_bounce(p, once, &facet, out);
+    sph_reflect(p, once, &facet, out);
 }
 
 /* ---- smooth ---- */

@@ -36,7 +36,7 @@ int sph_surface_outwards(const struct sph_profile *p, int far, const int64_t vec
                          struct sph_surface *s);
 
 /* Where a ray to a light starts: org, and by how much that was rounded, lift. */
-static inline void sph_surface_leave(const struct sph_profile *p, const struct sph_surface *s,
+static inline void sph_surface_spawn(const struct sph_profile *p, const struct sph_surface *s,
                                      struct sph_ray *ray) {
     for (int i = 0; i < 3; i++) {
         ray->org[i] = s->point[i];
@@ -61,11 +61,11 @@ void sph_surface_bend(const struct sph_profile *p, int far, const int64_t vector
 
 /* Mirror direction dir*(n.n) - 2*(dir.n)*n in exact integers, then one normalising shift to sWD
  * (Borodavka et al. VI.B without its divisions). */
-void sph_bounce(const struct sph_profile *p, const int64_t dir[3], const struct sph_surface *s,
-                int64_t out[3]);
+void sph_reflect(const struct sph_profile *p, const int64_t dir[3], const struct sph_surface *s,
+                 int64_t out[3]);
 
-/* sph_bounce(); if the normal is interpolated, what goes behind the facet is mirrored once more, at
- * the facet (docs/design/shading.md). */
+/* sph_reflect(); if the normal is interpolated, what goes behind the facet is mirrored once more,
+ * at the facet (docs/design/shading.md). */
 void sph_mirror(const struct sph_profile *p, const int64_t dir[3], const struct sph_surface *s,
                 int64_t out[3]);
 

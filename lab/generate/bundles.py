@@ -86,7 +86,8 @@ class Bundles:
             for i in range(count):
                 at = f"`RT_REG_{register}" + f" + 7'd{i}" * bool(i)
                 into = f"{name}[{i}*{one} +: {one}]" if count > 1 else name
-                reads.append(f"            if (addr_i == {at}) {into} <= data_i[{self.top(one)}:0];")
+                reads.append(f"            if (addr_i == {at}) {into} <= "
+                             f"data_i[{self.top(one)}:0];")
             value = name if when == 1 else f"{when} != 0 ? {name} : {{{bits}{{1'b0}}}}"
             drives.append(f"    assign {bundle}_o[`RT_{bundle.upper()}_{field}] = {value};")
         return [*names, "    always @(posedge clk)", "        if (valid_i) begin", *reads,

@@ -6,7 +6,7 @@
 //   A      dx*nx  dy*ny  dz*nz  dx*nn(hi,lo) dy*nn(hi,lo) dz*nn(hi,lo)
 //   B                           nx*dn(hi,lo) ny*dn(hi,lo) nz*dn(hi,lo)
 // Latency 20 cycles, a new one every 10 cycles.
-// Model: sph_bounce() in cmodel/shade/surface.c
+// Model: sph_reflect() in cmodel/shade/surface.c
 `timescale 1ns / 1ps
 `default_nettype none
 module rt_reflect #(

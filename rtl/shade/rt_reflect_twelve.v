@@ -9,7 +9,7 @@
 //   p2       nl*dh               nl*dn0               nl*dn1      nl*dn2
 //   p3       nh*dl               nh*dn2               nh*dn0      nh*dn1
 // Then p0 - 2*p2 and p1 - 2*p3 | their sum, where weights are equal | one accumulator | normalise
-// Latency 24 clocks. Model: sph_bounce() in cmodel/shade/surface.c
+// Latency 24 clocks. Model: sph_reflect() in cmodel/shade/surface.c
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_check.vh"

@@ -9,7 +9,7 @@
 #include <memory>
 
 #include "../bundles.h"
-#include "shown.h"
+#include "signals.h"
 
 /* ---- what the watches of stages share; for simulate_stages.cpp ---- */
 

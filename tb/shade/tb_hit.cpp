@@ -179,7 +179,7 @@ void check(Bench &b, const Vector &e) {
     for (int i = 0; i < 3; i++)
         b.expect("out_guarded_o", bench::sign(b.get(b.dut.out_guarded_o) >> (W + NG) * i, W + NG),
                  GUARDED ? s.guarded[i] : 0, W + NG);
-    sph_surface_leave(&profile, &s, &ray);
+    sph_surface_spawn(&profile, &s, &ray);
     for (int i = 0; i < 3; i++)
         b.expect("out_lift_o", bench::sign(b.get(b.dut.out_lift_o) >> (NG + 2) * i, NG + 2),
                  FACETS ? ray.lift[i] : 0, NG + 2);

@@ -1,5 +1,5 @@
 /* tb_reflect.cpp - rt_reflect, or rt_reflect_twelve, and rt_normalise inside it, against
- * sph_bounce() SPDX-License-Identifier: Apache-2.0
+ * sph_reflect() SPDX-License-Identifier: Apache-2.0
  *
  * The hits of tests/hard come first.
  */
@@ -107,7 +107,7 @@ int main(int argc, char **argv) {
             s.normal[i] = e.normal[i];
         s.nn = dot(e.normal);
         int64_t out[3];
-        sph_bounce(&profile, e.dir, &s, out);
+        sph_reflect(&profile, e.dir, &s, out);
         int64_t dn = 0;
         for (int i = 0; i < 3; i++)
             dn += e.dir[i] * s.normal[i];

@@ -326,7 +326,7 @@ class Run {
         b.expect("GUARDED", bench::get(t.surface_o, RT_SURFACE_GUARDED),
                  (bench::i128)pack(TEXTURE || SMOOTH ? surface.guarded : none, W + NG),
                  3 * (W + NG));
-        sph_surface_leave(&profile, &surface, &ray);
+        sph_surface_spawn(&profile, &surface, &ray);
         b.expect("LIFT", bench::get(t.surface_o, RT_SURFACE_LIFT),
                  (bench::i128)pack(FACETS ? ray.lift : none, NG + 2), 3 * (NG + 2));
         b.expect("FLAT", bench::get(t.surface_o, RT_SURFACE_FLAT), surface.flat, 1);

@@ -77,7 +77,7 @@ static void test_spans(void **unused) {
     struct sph_span rows[SIDE], exact;
     struct sph_work work = {0};
     struct sph_error err = {{0}};
-    long how[4] = {0}, lost_rect = 0, lost_bare = 0, lost_border = 0;
+    long how[4] = {0}, lost_rect = 0, lost_borderless = 0, lost_border = 0;
     (void)unused;
     for (int run = 0; run < VIEWS; run++) {
         const struct sph_profile *p = &sph_profiles[run % SPH_PROFILES];
@@ -120,16 +120,16 @@ static void test_spans(void **unused) {
             assert_int_equal(sph_spans_draw(rows, &how16, SIDE, SIDE, border, &work, &err), 0);
             for (int y = 0; y < SIDE; y++) {
                 sph_cone_row(&cone, SIDE, y, &exact.x0, &exact.x1, &work);
-                *(border ? &lost_border : &lost_bare) +=
+                *(border ? &lost_border : &lost_borderless) +=
                     exact.x1 > exact.x0 && (exact.x0 < rows[y].x0 || exact.x1 > rows[y].x1);
             }
         }
     }
     printf("# %ld outlines, %ld widened, %ld whole, %ld behind\n", how[0], how[1], how[2], how[3]);
     printf("# rows that lose pixels: %ld by four points, %ld by 16x16, %ld with a border\n",
-           lost_rect, lost_bare, lost_border);
+           lost_rect, lost_borderless, lost_border);
     assert_true(how[0] > VIEWS / 5 && how[2] > VIEWS / 50 && how[3] > VIEWS / 50);
-    assert_true(lost_rect > VIEWS / 20 && lost_bare > lost_border && lost_border > 0);
+    assert_true(lost_rect > VIEWS / 20 && lost_borderless > lost_border && lost_border > 0);
 }
 
 /* The rim of a sphere of 10^5 pixels, aslant through a small frame: no number of points is enough.

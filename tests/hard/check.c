@@ -68,8 +68,8 @@ static void check_surface(struct job *j, const struct sph_leaf *s, const struct 
         job_wrong(j, HARD_POINT, "not org + t*dir rounded");
     if (model.nn != exact.nn || memcmp(model.normal, exact.normal, sizeof exact.normal))
         job_wrong(j, HARD_NORMAL, "not the rounded normal of the point");
-    sph_bounce(p, j->ray.dir, &model, bounce);
-    exact_bounce(p, j->ray.dir, model.normal, other);
+    sph_reflect(p, j->ray.dir, &model, bounce);
+    exact_reflect(p, j->ray.dir, model.normal, other);
     if (memcmp(bounce, other, sizeof other))
         job_wrong(j, HARD_BOUNCE, "not the rounded mirror ray");
     check_refracted(j, &model, a->key, far);

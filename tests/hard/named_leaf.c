@@ -176,7 +176,7 @@ static void bounced(struct named *n, int with_id, int inside, int outcome) {
         if (!r.hit || r.far != inside || c.ray.a < 256) continue;
         struct sph_hit hit = {sph_leaf_key(&r, &roots), HARD_ID, r.far != 0, 0};
         if (sph_surface_at(n->p, &c.ray, &hit, &c.sphere[0], &s)) continue;
-        sph_bounce(n->p, c.ray.dir, &s, c.ray.dir);
+        sph_reflect(n->p, c.ray.dir, &s, c.ray.dir);
         memcpy(c.ray.org, s.point, sizeof s.point);
         c.ray.kind = SPH_REFLECTED;
         if (with_id) c.ray.skip = (struct sph_skip){HARD_ID, inside};

@@ -106,7 +106,7 @@ void named_normal0(struct named *n) {
         exact_normalise(minus, n->p->wd, back);
         require(n, !limited && !memcmp(s.point, c.sphere[0].ctr, sizeof s.point), "not the centre");
         require(n, !memcmp(s.normal, back, sizeof back), "the normal is not -dir");
-        sph_bounce(n->p, c.ray.dir, &s, back);
+        sph_reflect(n->p, c.ray.dir, &s, back);
         require(n, back[0] < 0 && back[1] == 2 * back[0] && back[2] == -back[0],
                 "the mirror ray does not go back");
     }
@@ -129,7 +129,7 @@ void named_grazed(struct named *n) {
             item.normal[j] = v[j];
         }
         if (n->list) hard_list_add(n->list, item);
-        sph_bounce(n->p, u, &s, out);
+        sph_reflect(n->p, u, &s, out);
         exact_normalise(big, n->p->wd, same);
         require(n, !memcmp(out, same, sizeof out), "a grazing ray is turned");
         n->vectors++;

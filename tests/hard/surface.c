@@ -66,8 +66,8 @@ int exact_surface(const struct sph_profile *p, const struct sph_ray *ray,
     return limited;
 }
 
-void exact_bounce(const struct sph_profile *p, const int64_t dir[3], const int64_t normal[3],
-                  int64_t out[3]) {
+void exact_reflect(const struct sph_profile *p, const int64_t dir[3], const int64_t normal[3],
+                   int64_t out[3]) {
     sph_i128 v[3];
     for (int i = 0; i < 3; i++) { /* d(n.n) - 2(d.n)n by components: d_i n_j n_j - 2 d_j n_j n_i */
         v[i] = 0;

@@ -21,8 +21,8 @@ void exact_normalise(const sph_i128 v[3], int bits, int64_t out[3]);
 int exact_surface(const struct sph_profile *p, const struct sph_ray *ray,
                   const struct sph_quotient *q, int far, const struct sph_leaf *sphere,
                   struct sph_surface *s);
-void exact_bounce(const struct sph_profile *p, const int64_t dir[3], const int64_t normal[3],
-                  int64_t out[3]);
+void exact_reflect(const struct sph_profile *p, const int64_t dir[3], const int64_t normal[3],
+                   int64_t out[3]);
 
 /* The refracted direction, |d x n|^2 by components, the root of a float mended to floor; 0: all is
  * reflected. */

@@ -49,7 +49,7 @@ static struct sph_reference render(const struct sph_scene *scene, const struct s
  * row y below the middle meets the floor at screen / (y + 1/2), whatever the grid. */
 static void reference_sees_the_floor(void **state) {
     (void)state;
-    struct sph_scene scene = read_scene("tests/scenes/facets/endless.nff");
+    struct sph_scene scene = read_scene("tests/scenes/facets/horizon.nff");
     struct sph_build_report report;
     struct sph_machine m = build(&scene, 160, 90, &report);
     struct sph_reference r = render(&scene, &m);
@@ -71,7 +71,7 @@ static void reference_sees_the_floor(void **state) {
  * its light off by more than 8, and there it is. */
 static void build_counts_what_is_cut(void **state) {
     (void)state;
-    struct sph_scene scene = read_scene("tests/scenes/facets/endless.nff");
+    struct sph_scene scene = read_scene("tests/scenes/facets/horizon.nff");
     struct sph_build_report report;
     struct sph_counters c;
     int errors;
@@ -95,7 +95,7 @@ static void build_counts_what_is_cut(void **state) {
     assert_int_equal(report.cut.later, 0);
     assert_true(off > 0 && e.psnr[2] > 25);
     assert_non_null(strstr(report.warning,
-                           "endless.nff:13: the plane goes on beyond the grid: 4.3 % of "
+                           "horizon.nff:13: the plane goes on beyond the grid: 4.3 % of "
                            "the pixels see it 24.51 or farther"));
     assert_int_equal(uncut(&f, &r), report.cut.beyond);
     assert_true(sph_reference_compare(&f, &r).psnr[2] > 55);
@@ -131,7 +131,7 @@ static void warns_where_something_is_cut(void **state) {
         sph_machine_free(&m);
         sph_scene_free(&scene);
     }
-    struct sph_scene scene = read_scene("tests/scenes/facets/endless.nff");
+    struct sph_scene scene = read_scene("tests/scenes/facets/horizon.nff");
     struct sph_build_report near, far, down, hidden;
     struct sph_machine m = build(&scene, 64, 36, &near);
     sph_machine_free(&m);

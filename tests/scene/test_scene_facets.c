@@ -81,54 +81,70 @@ static void assert_corner(const struct sph_facet *f, int corner, double x, doubl
     assert_true(f->v[corner].x == x && f->v[corner].y == y && f->v[corner].z == z);
 }
 
-static void test_polygons(void **state) {
-    (void)state;
-    struct sph_scene s;
-    read_text(CAM MAT "p 4\n" SQUARE
-                      "f 0 1 0 .5 .5 1 0 1\npp 3 0 0 0 9 9 9 1 0 0 0 0 0 0 1 0 8 8 8\n"
-                      "s 0 0 0 1\n",
-              &s);
-    assert_int_equal(s.n_facets, 3);
-    assert_int_equal(s.n_spheres, 1);
-    const struct sph_facet *f = s.facets;
-    assert_corner(&f[0], 0, 0, 0, 0);
-    assert_corner(&f[0], 1, 2, 0, 0);
-    assert_corner(&f[0], 2, 2, 2, 0);
-    assert_corner(&f[1], 0, 0, 0, 0);
-    assert_corner(&f[1], 1, 2, 2, 0);
-    assert_corner(&f[1], 2, 0, 2, 0);
-    assert_corner(&f[2], 2, 0, 1, 0);
-    assert_int_equal(f[0].group, 0);
-    assert_int_equal(f[1].group, 0);
-    assert_int_equal(f[2].group, 1);
-    assert_int_equal(f[1].line, 9);
-    assert_int_equal(f[2].line, 15);
-    assert_int_equal(f[1].material, 0);
-    assert_int_equal(f[2].material, 1);
-    assert_int_equal(f[0].kind, SPH_TRIANGLE);
-    round_trip(&s);
-    sph_scene_free(&s);
+/* Corners of a text, x and y of each a digit: how many, and one of them. */
+static int corners_of(const char *text) {
+    return (int)(strlen(text) + 1) / 3;
 }
 
-/* Corners on an edge, twice the same corner: the fan starts where it loses least. */
-static void test_fans(void **state) {
+static struct sph_vec corner_of(const char *text, int i) {
+    return sph_vec_of(text[3 * i] - '0', text[3 * i + 1] - '0', 0);
+}
+
+/* What polygons become. */
+static const struct {
+    const char *text;      /* behind a material */
+    const char *groups;    /* a digit a triangle: those of one polygon share it */
+    const char *corners;   /* three a triangle as in corner_of(), the first ones; -- : any */
+    const char *lines;     /* a digit a triangle: line 9 + it */
+    const char *materials; /* a digit a triangle */
+    uint32_t bent;         /* polygons that are not flat, the first in line 9 */
+} polygons[] = {
+    /* a square; behind another material a triangle with normals; a sphere */
+    {"p 4\n" SQUARE "f 0 1 0 .5 .5 1 0 1\npp 3 0 0 0 9 9 9 1 0 0 0 0 0 0 1 0 8 8 8\ns 0 0 0 1\n",
+     "001", "00 20 22 00 22 02 -- -- 01", "006", "001", 0},
+    /* a corner on an edge: the fan starts where it loses least */
+    {"p 5 0 0 0 1 0 0 2 0 0 2 2 0 0 2 0\n", "000", "10", "000", "000", 0},
+    /* closed by its first corner */
+    {"p 5 0 0 0 2 0 0 2 2 0 0 2 0 0 0 0\n", "00", "", "00", "00", 0},
+    /* all but one on a line */
+    {"p 5 0 0 0 1 0 0 2 0 0 3 0 0 0 4 0\n", "000", "04", "000", "000", 0},
+    /* as good as convex */
+    {"p 4 0 0 0 1 1e-7 0 2 0 0 1 1 0\n", "00", "", "00", "00", 0},
+    /* as good as the same corner twice */
+    {"p 5 0 0 0 2 0 0 2 2 0 2.0000000000001 2.0000000000001 0 0 2 0\n", "00", "", "00", "00", 0},
+    /* not flat, so triangles that are polygons of their own: a wall of the Cornell box as measured,
+     * and a patch; as good as flat */
+    {"p 4 552.8 0 0 549.6 0 559.2 556 548.8 559.2 556 548.8 0\n"
+     "p 4 0 0 0 2 0 0 2 2 .001 0 2 0\n"
+     "pp 5 0 0 0 0 0 1 2 0 1 0 0 1 3 2 -1 0 0 1 2 4 1 0 0 1 0 4 0 0 0 1\n",
+     "0122345", "", "0011222", "0000000", 2},
+};
+
+static void test_polygons(void **state) {
     (void)state;
-    struct sph_scene s;
-    read_text(CAM MAT "p 5 0 0 0 1 0 0 2 0 0 2 2 0 0 2 0\n" /* one corner on an edge */
-                      "p 5 0 0 0 2 0 0 2 2 0 0 2 0 0 0 0\n" /* closed by its first corner */
-                      "p 5 0 0 0 1 0 0 2 0 0 3 0 0 0 4 0\n" /* all but one on a line */
-                      "p 4 0 0 0 1 1e-7 0 2 0 0 1 1 0\n"    /* as good as convex */
-                      "p 5 0 0 0 2 0 0 2 2 0 2.0000000000001 2.0000000000001 0 0 2 0\n",
-              &s);
-    static const uint32_t first[6] = {0, 3, 5, 8, 10, 12};
-    assert_int_equal(s.n_facets, 12);
-    for (uint32_t g = 0; g < 5; g++)
-        for (uint32_t i = first[g]; i < first[g + 1]; i++)
-            assert_int_equal(s.facets[i].group, g);
-    assert_corner(&s.facets[0], 0, 1, 0, 0);
-    assert_corner(&s.facets[5], 0, 0, 4, 0);
-    round_trip(&s);
-    sph_scene_free(&s);
+    for (size_t k = 0; k < sizeof polygons / sizeof *polygons; k++) {
+        struct sph_scene s;
+        char text[1024];
+        snprintf(text, sizeof text, CAM MAT "%s", polygons[k].text);
+        read_text(text, &s);
+        if (s.n_facets != strlen(polygons[k].groups)) fail_msg("%s: %u", text, s.n_facets);
+        for (uint32_t i = 0; i < s.n_facets; i++) {
+            const struct sph_facet *f = &s.facets[i];
+            assert_int_equal(f->kind, SPH_TRIANGLE);
+            assert_int_equal(f->group, polygons[k].groups[i] - '0');
+            assert_int_equal(f->line, 9 + polygons[k].lines[i] - '0');
+            assert_int_equal(f->material, polygons[k].materials[i] - '0');
+        }
+        for (int i = 0; i < corners_of(polygons[k].corners); i++) {
+            struct sph_vec at = corner_of(polygons[k].corners, i);
+            if (at.x >= 0) assert_corner(&s.facets[i / 3], i % 3, at.x, at.y, 0);
+        }
+        assert_int_equal(s.n_spheres, strstr(text, "\ns ") != NULL);
+        assert_int_equal(s.ledger.row[SPH_READ_BENT].n, polygons[k].bent);
+        if (polygons[k].bent) assert_int_equal(s.ledger.row[SPH_READ_BENT].line, 9);
+        round_trip(&s);
+        sph_scene_free(&s);
+    }
 }
 
 /* Twice the area of a triangle, seen along -z. */
@@ -142,35 +158,23 @@ static double twice(const struct sph_facet *f) {
 static void test_concave(void **state) {
     (void)state;
     static const struct {
-        int n;
-        double twice, xy[12][2];
-    } shapes[] = {{4, 8, {{0, 0}, {4, 0}, {1, 1}, {0, 4}}},
-                  {6, 10, {{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}}},
-                  {7, 13, {{0, 0}, {4, 0}, {4, 2}, {3, 2}, {2, 2}, {1, .5}, {0, 2}}},
-                  {12,
-                   20,
-                   {{0, 0},
-                    {7, 0},
-                    {7, 2},
-                    {6, 2},
-                    {6, 1},
-                    {4, 1},
-                    {4, 2},
-                    {3, 2},
-                    {3, 1},
-                    {1, 1},
-                    {1, 2},
-                    {0, 2}}}};
+        const char *corners; /* as in corner_of() */
+        double twice;        /* its area */
+    } shapes[] = {
+        {"00 40 11 04", 8},                          /* a dart */
+        {"00 30 31 11 13 03", 10},                   /* an L */
+        {"00 80 84 64 44 21 04", 52},                /* corners on an edge */
+        {"00 70 72 62 61 41 42 32 31 11 12 02", 20}, /* a comb */
+    };
     for (size_t k = 0; k < sizeof shapes / sizeof *shapes; k++)
-        for (int turn = 0; turn < 2 * shapes[k].n; turn++) {
+        for (int turn = 0, n = corners_of(shapes[k].corners); turn < 2 * n; turn++) {
             char text[2048] = CAM MAT;
-            int n = shapes[k].n, sign = turn < n ? 1 : -1;
+            int sign = turn < n ? 1 : -1;
             size_t used = strlen(text);
             used += (size_t)snprintf(text + used, sizeof text - used, "p %d\n", n);
             for (int i = 0; i < n; i++) {
-                const double *at = shapes[k].xy[(turn + sign * i + 2 * n) % n];
-                used +=
-                    (size_t)snprintf(text + used, sizeof text - used, "%g %g 3\n", at[0], at[1]);
+                struct sph_vec at = corner_of(shapes[k].corners, (turn + sign * i + 2 * n) % n);
+                used += (size_t)snprintf(text + used, sizeof text - used, "%g %g 3\n", at.x, at.y);
             }
             struct sph_scene s;
             double sum = 0;
@@ -239,45 +243,24 @@ static int winding(const struct sph_vec *c, int n, double x, double y) {
  * All are turned so that every corner is the first once. */
 static void test_touching(void **state) {
     (void)state;
-    static const struct {
-        int n;
-        double at[16][2];
-    } shapes[] = {
-        /* a hole by a bridge; two of them, one behind the other */
-        {10, {{0, 0}, {9, 0}, {9, 9}, {0, 9}, {0, 0}, {3, 3}, {3, 6}, {6, 6}, {6, 3}, {3, 3}}},
-        {15,
-         {{0, 0},
-          {9, 0},
-          {9, 9},
-          {0, 9},
-          {0, 0},
-          {2, 2},
-          {2, 3},
-          {3, 3},
-          {5, 5},
-          {5, 7},
-          {7, 7},
-          {7, 5},
-          {5, 5},
-          {3, 3},
-          {2, 2}}},
-        {5, {{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}}},         /* a corner on an edge */
-        {6, {{0, 0}, {4, 0}, {4, 4}, {2, 1}, {2, 1}, {0, 4}}}, /* the same corner twice */
-        {4, {{0, 0}, {9, 0}, {4, 0}, {0, 4}}},                 /* there and back again */
-        /* a corner at a corner; a slit */
-        {8, {{0, 0}, {2, 1}, {4, 0}, {4, 4}, {2, 1}, {3, 5}, {1, 5}, {0, 4}}},
-        {7, {{0, 0}, {4, 0}, {4, 4}, {2, 4}, {2, 2}, {2, 4}, {0, 4}}},
+    static const char *const shapes[] = {
+        "00 90 99 09 00 33 36 66 63 33",                /* a hole by a bridge */
+        "00 90 99 09 00 22 23 33 55 57 77 75 55 33 22", /* two of them, one behind the other */
+        "00 40 44 20 04",                               /* a corner on an edge */
+        "00 40 44 21 21 04",                            /* the same corner twice */
+        "00 90 40 04",                                  /* there and back again */
+        "00 21 40 44 21 35 15 04",                      /* a corner at a corner */
+        "00 40 44 24 22 24 04",                         /* a slit */
     };
     struct sph_rng rng = {5};
     for (size_t k = 0; k < sizeof shapes / sizeof *shapes; k++)
-        for (int first = 0, n = shapes[k].n; first < n; first++) {
+        for (int first = 0, n = corners_of(shapes[k]); first < n; first++) {
             struct sph_vec corner[16];
             int index[16][3];
             double bent;
             struct sph_error err = {""};
             for (int i = 0; i < n; i++)
-                corner[i] = sph_vec_of(shapes[k].at[(i + first) % n][0],
-                                       shapes[k].at[(i + first) % n][1], 0);
+                corner[i] = corner_of(shapes[k], (i + first) % n);
             int count = sph_polygon_cut(corner, n, index, &bent, &err);
             if (count <= 0) fail_msg("shape %zu from %d: %s", k, first, err.text);
             for (int point = 0; point < 300; point++) {
@@ -312,25 +295,6 @@ static void test_turn(void **state) {
     assert_int_equal(
         sph_turn(tiny[0], (double[]){0x3p-600, 0x1p-600}, (double[]){0x3p-590, 0x1p-590}), 0);
     assert_int_equal(sph_turn(tiny[1], tiny[2], tiny[1]), 0);
-}
-
-/* Polygons that are not flat: triangles that are polygons of their own. The first is a wall of the
- * Cornell box as measured. */
-static void test_bent(void **state) {
-    (void)state;
-    struct sph_scene s;
-    read_text(CAM MAT "p 4 552.8 0 0 549.6 0 559.2 556 548.8 559.2 556 548.8 0\n"
-                      "p 4 0 0 0 2 0 0 2 2 .001 0 2 0\n" /* as good as flat */
-                      "pp 5 0 0 0 0 0 1 2 0 1 0 0 1 3 2 -1 0 0 1 2 4 1 0 0 1 0 4 0 0 0 1\n",
-              &s);
-    static const uint32_t group[7] = {0, 1, 2, 2, 3, 4, 5};
-    assert_int_equal(s.n_facets, 7);
-    for (uint32_t i = 0; i < 7; i++)
-        assert_int_equal(s.facets[i].group, group[i]);
-    assert_int_equal(s.ledger.row[SPH_READ_BENT].n, 2);
-    assert_int_equal(s.ledger.row[SPH_READ_BENT].line, 9);
-    round_trip(&s);
-    sph_scene_free(&s);
 }
 
 static void test_planes_and_textures(void **state) {
@@ -441,12 +405,10 @@ static void test_damaged(void **state) {
 
 int main(void) {
     const struct CMUnitTest others[] = {cmocka_unit_test(test_polygons),
-                                        cmocka_unit_test(test_fans),
                                         cmocka_unit_test(test_concave),
                                         cmocka_unit_test(test_stars),
                                         cmocka_unit_test(test_touching),
                                         cmocka_unit_test(test_turn),
-                                        cmocka_unit_test(test_bent),
                                         cmocka_unit_test(test_planes_and_textures),
                                         cmocka_unit_test(test_extended_material),
                                         cmocka_unit_test(test_too_many),

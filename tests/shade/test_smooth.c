@@ -138,7 +138,7 @@ static void test_mirror(void **unused) {
             in += s.side[i] * ray.dir[i];
         if (in >= 0) continue;
         sph_surface_bend(p, 0, normal, &s);
-        sph_bounce(p, ray.dir, &s, once);
+        sph_reflect(p, ray.dir, &s, once);
         sph_mirror(p, ray.dir, &s, out);
         int64_t before = 0;
         for (int i = 0; i < 3; i++) {

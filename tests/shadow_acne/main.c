@@ -282,7 +282,7 @@ static uint32_t blocked(const struct acne *w, const struct seen *eye, int rule, 
         sph_surface_nearest(w->p, &s);
     else
         sph_surface_outwards(w->p, eye->hit.far, eye->normal, &s);
-    sph_surface_leave(w->p, &s, &to);
+    sph_surface_spawn(w->p, &s, &to);
     for (int i = 0; i < 3; i++) {
         from[i] = s.point[i];
         to.dir[i] = lamp[i] - sph_round(s.point[i], lamp[3] >> SPH_LIGHT_SHIFT_LSB);

@@ -347,17 +347,17 @@ static void cache_late(void **state) {
 }
 
 /* Four ways: the first one not used since all were goes. */
-static void cache_lately(void **state) {
+static void cache_recency(void **state) {
     (void)state;
     struct sph_cache c;
     struct sph_error err = {{0}};
     assert_int_equal(sph_cache_start(&c, 32, 8, 4, &err), 0); /* one set */
-    static const char asks[] = "abcd"                         /* all used: only d lately */
+    static const char asks[] = "abcd"                         /* all used: only d recent */
                                "e"                            /* a's place */
                                "b"                            /* stays; now d, e, b */
-                               "f"   /* c's place: all used, only f lately */
+                               "f"   /* c's place: all used, only f recent */
                                "a"   /* e's place */
-                               "bfd" /* there; now all but d: all used, only d lately */
+                               "bfd" /* there; now all but d: all used, only d recent */
                                "ce"; /* a's place, b's place */
     for (size_t i = 0; asks[i]; i++)
         assert_int_equal(sph_cache_ask(&c, 8u * (uint32_t)(asks[i] - 'a')),
@@ -379,7 +379,7 @@ int main(void) {
         cmocka_unit_test(damaged),
         cmocka_unit_test(cache),
         cmocka_unit_test(cache_late),
-        cmocka_unit_test(cache_lately),
+        cmocka_unit_test(cache_recency),
     };
     return cmocka_run_group_tests_name("texel", tests, NULL, NULL);
 }

@@ -180,13 +180,13 @@ assert other(named) < 40 and other(machine) > 400, (other(named), other(machine)
 check "mirrors left out show against a truth that has them" json flat.json \
     'r["accuracy"]["psnr"][2] < 40 and r["accuracy"]["psnr"][0] > 40 and
      r["accuracy"]["reflected"] > 50'
-floor=$root/tests/scenes/facets/endless.nff
+floor=$root/tests/scenes/facets/horizon.nff
 "$s" accuracy "$floor" --json floor.json >floor.txt 2>&1
 check "accuracy of a floor without end is that of the scene as written" json floor.json \
     'r["accuracy"]["psnr"][2] > 50 and r["accuracy"]["silhouette"] == 0 and
      r["build"]["planes_cut"]["beyond"] == 124 and r["build"]["planes_cut"]["later"] == 0'
 check "... and build warns of its light far away" \
-    has "warning: .*endless.nff:13: the plane goes on beyond the grid: 0.9 % of the" floor.txt
+    has "warning: .*horizon.nff:13: the plane goes on beyond the grid: 0.9 % of the" floor.txt
 check "strip is three pictures wide" sh -c "oiiotool --info strip.png | grep -q '192 x  *48'"
 
 # ---- background ----

@@ -185,7 +185,7 @@ static void own_sphere(void **state) {
                 struct sph_hit hit = {sph_leaf_key(&r, &roots), 7, r.far != 0, 0};
                 struct sph_surface at;
                 sph_surface_at(p, &ray, &hit, &s, &at);
-                sph_bounce(p, ray.dir, &at, dir);
+                sph_reflect(p, ray.dir, &at, dir);
                 for (int j = 0; j < 3; j++) {
                     ray.org[j] = at.point[j];
                     ray.dir[j] = dir[j];

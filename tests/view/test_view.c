@@ -45,9 +45,6 @@ static void test_orbit(void **state) {
     view_orbit(&c, 0, -0.1);
     view_orbit(&c, -0.7, 0);
     same_place(c.from, camera.from);
-    struct sph_camera front = {.from = {0, 0, 5}, .up = {0, 2, 0}, .angle = 40};
-    view_orbit(&front, acos(-1.0) / 2, 0); /* a quarter to its right */
-    same_place(front.from, (struct sph_vec){5, 0, 0});
     for (int up = -1; up <= 1; up += 2) { /* never over the pole */
         c = camera;
         view_orbit(&c, 0, 9 * up);
@@ -93,20 +90,28 @@ static void test_head(void **state) {
     near(s.camera.shift[1], 0);
 }
 
-static void test_look(void **state) {
-    (void)state;
-    struct sph_camera c = {.from = {0, 0, 5}, .up = {0, 1, 0}, .angle = 40};
-    view_look(&c, acos(-1.0) / 2, 0);
-    same_place(c.from, (struct sph_vec){0, 0, 5});
-    same_place(c.at, (struct sph_vec){5, 0, 5});
-    view_look(&c, 0, acos(-1.0) / 6);
-    near(c.at.y, 2.5);
-}
+#define COS_30 0.86602540378443864676
 
-static void test_walk(void **state) {
+/* Each from a camera at 0 0 5 that looks at the origin. */
+static void test_moves(void **state) {
     (void)state;
+    static const struct {
+        void (*move)(struct sph_camera *c, double right, double up);
+        double right, up; /* half turns */
+        struct sph_vec from, at;
+    } turns[] = {
+        {view_orbit, 0.5, 0, {5, 0, 0}, {0, 0, 0}},                  /* a quarter to its right */
+        {view_look, 0.5, 0, {0, 0, 5}, {5, 0, 5}},                   /* it looks to the right */
+        {view_look, 0, 1.0 / 6, {0, 0, 5}, {0, 2.5, 5 - 5 * COS_30}} /* up by 30 degrees */
+    };
+    for (size_t i = 0; i < sizeof turns / sizeof *turns; i++) {
+        struct sph_camera c = {.from = {0, 0, 5}, .up = {0, 2, 0}, .angle = 40};
+        turns[i].move(&c, turns[i].right * acos(-1.0), turns[i].up * acos(-1.0));
+        same_place(c.from, turns[i].from);
+        same_place(c.at, turns[i].at);
+    }
     struct sph_camera c = {.from = {0, 0, 5}, .up = {0, 1, 0}, .angle = 40};
-    view_walk(&c, 1, 2, 3);
+    view_walk(&c, 1, 2, 3); /* right, up, ahead */
     same_place(c.from, (struct sph_vec){1, 2, 2});
     same_place(c.at, (struct sph_vec){1, 2, -3});
     view_near(&c, 0.5);
@@ -288,17 +293,28 @@ static void test_script(void **state) {
                                  "press right\nwait 20\nwait refined\nscreenshot a/b.png\nquit\n",
                                  &s, &err),
                      0);
-    assert_int_equal(s.n, 8);
-    assert_int_equal(s.list[0].what, VIEW_SAY_KEY);
-    assert_int_equal(s.list[0].line, 2);
-    assert_string_equal(s.list[0].text, "Left");
-    near(s.list[1].number[1], -4.5);
-    near(s.list[1].number[2], 250);
-    near(s.list[2].number[2], 0);
-    assert_int_equal(s.list[3].button, VIEW_BUTTON_RIGHT);
-    assert_int_equal(s.list[4].what, VIEW_SAY_WAIT);
-    assert_int_equal(s.list[5].what, VIEW_SAY_REFINED);
-    assert_string_equal(s.list[6].text, "a/b.png");
+    static const struct {
+        int what, line;
+        const char *text;
+        double number[3];
+        int button;
+    } said[] = {{VIEW_SAY_KEY, 2, "Left", {0}, 0},
+                {VIEW_SAY_MOVE, 4, "", {3, -4.5, 250}, 0},
+                {VIEW_SAY_MOVE, 5, "", {1, 2, 0}, 0},
+                {VIEW_SAY_PRESS, 6, "", {0}, VIEW_BUTTON_RIGHT},
+                {VIEW_SAY_WAIT, 7, "", {20}, 0},
+                {VIEW_SAY_REFINED, 8, "", {0}, 0},
+                {VIEW_SAY_SCREENSHOT, 9, "a/b.png", {0}, 0},
+                {VIEW_SAY_QUIT, 10, "", {0}, 0}};
+    assert_int_equal(s.n, sizeof said / sizeof *said);
+    for (size_t i = 0; i < sizeof said / sizeof *said; i++) {
+        assert_int_equal(s.list[i].what, said[i].what);
+        assert_int_equal(s.list[i].line, said[i].line);
+        assert_string_equal(s.list[i].text, said[i].text);
+        for (int k = 0; k < 3; k++)
+            near(s.list[i].number[k], said[i].number[k]);
+        if (said[i].button) assert_int_equal(s.list[i].button, said[i].button);
+    }
     view_script_free(&s);
 }
 
@@ -460,33 +476,44 @@ static void test_paint(void **state) {
     (void)state;
     static uint8_t srgb[VIEW_LIGHTS];
     srgb[0x1234] = 7, srgb[0x2345] = 8, srgb[0x3456] = 9;
-    struct view_truth truth[2] = {{0x030201, 5}, {0x030201, 6}};
-    struct view_paint how = {.layer = VIEW_L1, .distance = 2, .srgb = srgb};
-    struct view_cell cell = {.colour = {0, 0, 0x030220},
-                             .light = {{0}, {0x1234, 0x2345, 0x3456}},
-                             .id = 5,
-                             .visits = 1023,
-                             .normal = {-1, 0, 1},
-                             .distance = 6,
-                             .level = -1,
-                             .depth = 2};
-    static const uint32_t expected[VIEW_LAYERS] = {0,        0x090807, 0,        0x00ff00, 0xffffff,
-                                                   0x404040, 0xff8000, 0x404040, 0};
-    for (how.layer = 0; how.layer < VIEW_LAYERS; how.layer++)
-        assert_int_equal(view_paint(&how, &cell, 0), expected[how.layer]);
-    how.layer = VIEW_VISITS;
-    cell.visits = 31;
-    assert_int_equal(view_paint(&how, &cell, 0), 0x00ff00); /* half of the logarithm */
-    how.layer = VIEW_DIFFERENCE;
-    how.truth = truth;
-    assert_int_equal(view_paint(&how, &cell, 0), 0x0000ff); /* 31 times 16: all */
-    cell.colour[2] = 0x030211;
-    assert_int_equal(view_paint(&how, &cell, 0), 0x0000ff);
-    cell.colour[2] = 0x030001;
-    assert_int_equal(view_paint(&how, &cell, 0), 0x002000);
-    cell.colour[2] = 0x030201;
-    assert_int_equal(view_paint(&how, &cell, 0), 0);
-    assert_int_equal(view_paint(&how, &cell, 1), 0xff0000); /* another primitive */
+    const struct view_truth truth[2] = {{0x030201, 5}, {0x030201, 6}};
+    static const struct {
+        int layer;
+        uint32_t visits, colour;
+        int at; /* pixel of truth, whose second is of another primitive; -1: there is none */
+        uint32_t painted;
+    } rows[] = {
+        {VIEW_RENDERING, 1023, 0x030220, -1, 0},
+        {VIEW_L1, 1023, 0x030220, -1, 0x090807}, /* by the table of sRGB */
+        {VIEW_L2, 1023, 0x030220, -1, 0},
+        {VIEW_DEPTHS, 1023, 0x030220, -1, 0x00ff00},
+        {VIEW_VISITS, 1023, 0x030220, -1, 0xffffff},
+        {VIEW_VISITS, 31, 0x030220, -1, 0x00ff00},     /* half of the logarithm */
+        {VIEW_LEVELS, 1023, 0x030220, -1, 0x404040},   /* it has none */
+        {VIEW_NORMALS, 1023, 0x030220, -1, 0xff8000},  /* -1, 0, 1 */
+        {VIEW_DISTANCE, 1023, 0x030220, -1, 0x404040}, /* three times the middle one */
+        {VIEW_DIFFERENCE, 1023, 0x030220, -1, 0},      /* light, until truth is known */
+        {VIEW_DIFFERENCE, 31, 0x030220, 0, 0x0000ff},  /* 31 times 16: all */
+        {VIEW_DIFFERENCE, 31, 0x030211, 0, 0x0000ff},
+        {VIEW_DIFFERENCE, 31, 0x030001, 0, 0x002000},
+        {VIEW_DIFFERENCE, 31, 0x030201, 0, 0},
+        {VIEW_DIFFERENCE, 31, 0x030201, 1, 0xff0000}, /* another primitive */
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        const struct view_paint how = {.layer = rows[i].layer,
+                                       .distance = 2,
+                                       .srgb = srgb,
+                                       .truth = rows[i].at < 0 ? NULL : truth};
+        const struct view_cell cell = {.colour = {0, 0, rows[i].colour},
+                                       .light = {{0}, {0x1234, 0x2345, 0x3456}},
+                                       .id = 5,
+                                       .visits = rows[i].visits,
+                                       .normal = {-1, 0, 1},
+                                       .distance = 6,
+                                       .level = -1,
+                                       .depth = 2};
+        assert_int_equal(view_paint(&how, &cell, rows[i].at > 0), rows[i].painted);
+    }
     assert_int_equal(view_heat(-1), 0);
     assert_int_equal(view_heat(0.5), 0x00ff00);
     assert_int_equal(view_heat(2), 0xffffff);
@@ -521,16 +548,16 @@ static int remove_script(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_orbit),      cmocka_unit_test(test_look),
-        cmocka_unit_test(test_walk),       cmocka_unit_test(test_pan),
-        cmocka_unit_test(test_head),       cmocka_unit_test(test_angle),
-        cmocka_unit_test(test_line),       cmocka_unit_test(test_keys),
-        cmocka_unit_test(test_mouse),      cmocka_unit_test(test_fingers),
-        cmocka_unit_test(test_hold),       cmocka_unit_test(test_settings),
-        cmocka_unit_test(test_profile),    cmocka_unit_test(test_script),
-        cmocka_unit_test(test_bad_script), cmocka_unit_test(test_cells),
-        cmocka_unit_test(test_aim),        cmocka_unit_test(test_pick),
-        cmocka_unit_test(test_paint),      cmocka_unit_test(test_meter),
+        cmocka_unit_test(test_orbit),    cmocka_unit_test(test_moves),
+        cmocka_unit_test(test_pan),      cmocka_unit_test(test_head),
+        cmocka_unit_test(test_angle),    cmocka_unit_test(test_line),
+        cmocka_unit_test(test_keys),     cmocka_unit_test(test_mouse),
+        cmocka_unit_test(test_fingers),  cmocka_unit_test(test_hold),
+        cmocka_unit_test(test_settings), cmocka_unit_test(test_profile),
+        cmocka_unit_test(test_script),   cmocka_unit_test(test_bad_script),
+        cmocka_unit_test(test_cells),    cmocka_unit_test(test_aim),
+        cmocka_unit_test(test_pick),     cmocka_unit_test(test_paint),
+        cmocka_unit_test(test_meter),
     };
     return cmocka_run_group_tests(tests, make_script, remove_script);
 }

@@ -9,7 +9,7 @@ until one fails, hangs or crashes: those of its name first, then the quickest, o
 says run its line and that take at most LONGEST seconds. What all of them let pass the quick ones
 try once more under the sanitizers, as `make test` does. What compiles to the same instructions is
 no fault. JOBS are tried at once. A kill is kept as long as the model and the suite that it fell to
-stay, what is left as long as all suites do. lab/faults/drawn/left_c.py tries in one suite those
+stay, what is left as long as all suites do. survivors_c.py beside this tries in one suite those
 that the page lists as left."""
 import functools
 import glob

@@ -1,4 +1,4 @@
-# left.py - the faults that the page lists as left, tried again where checks are new
+# survivors.py - the faults that the page lists as left, tried again where checks are new
 # SPDX-License-Identifier: Apache-2.0
 """usage: python3 -m lab mutants-left BUILD [BENCH...]
 Each BENCH (tb_leaf/tiny, core/EFFECTS, proof/run) tries all faults that are left in

@@ -1,8 +1,8 @@
-/* shown.h - signals of a verilated core by their names
+/* signals.h - signals of a verilated core by their names
  * SPDX-License-Identifier: Apache-2.0
  */
-#ifndef TB_SHOWN_H
-#define TB_SHOWN_H
+#ifndef TB_SIGNALS_H
+#define TB_SIGNALS_H
 
 #include <cstdint>
 #include <map>

@@ -1,4 +1,4 @@
-# left_c.py - the faults in the model that the page lists as left, tried again in some suites
+# survivors_c.py - the faults in the model that the page lists as left, tried again in some suites
 # SPDX-License-Identifier: Apache-2.0
 """usage: python3 -m lab mutants-c-left BUILD SUITE[=FILE]...
        python3 -m lab mutants-c-left BUILD again
