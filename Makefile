@@ -101,15 +101,19 @@ MODEL_LIBS  = -Wl,--as-needed $(call pkg,--libs $(MODEL_PACKAGES)) -lm
 IMAGE_LIBS  = $(call pkg,--libs OpenImageIO)
 # What the model library itself asks of pkg-config.
 MODEL_PACKAGES := expat gmp libpng mpfr
-# 1 if the live view can have a window: make/view.mk
+# 1 if there is OpenImageIO, which reads textures; assimp, which reads meshes: make/mesh.mk; if the
+# live view can have a window: make/view.mk
+OIIO       := $(shell pkg-config --exists OpenImageIO && echo 1)
+ASSIMP     := $(shell pkg-config --exists assimp jansson && echo 1)
 SDL        := $(shell pkg-config --exists sdl2 && echo 1)
 
 # Programs that make a table, run by hand; never part of the library.
 GENERATORS := cmodel/math/gen_rsqrt.c cmodel/math/gen_reciprocal.c cmodel/texture/gen_log2.c \
               cmodel/shade/gen_power.c cmodel/shade/gen_power_rom.c
 C_FILES    := $(sort $(shell find cmodel -name '*.c'))
+MESH_C     := $(filter cmodel/scene/assimp/%,$(C_FILES))
 LIB_C      := $(filter-out cmodel/tool/% cmodel/image/% cmodel/sphaera/% cmodel/view/% \
-                $(GENERATORS),$(C_FILES))
+                $(GENERATORS) $(MESH_C),$(C_FILES))
 SDL_C      := $(filter cmodel/view/sdl/%,$(C_FILES))
 VIEW_C     := $(filter-out $(SDL_C),$(filter cmodel/view/%,$(C_FILES)))
 TOOL_C     := $(filter cmodel/tool/%,$(C_FILES)) $(VIEW_C) driver/sphaera.c
@@ -118,9 +122,10 @@ LAZY_C     := cmodel/image/lazy.c
 IMAGE_C    := $(filter-out $(LAZY_C),$(filter cmodel/image/%,$(C_FILES)))
 API_C      := $(filter cmodel/sphaera/%,$(C_FILES))
 
-ARCHIVE := $B/libsphaera.a
+MODEL := $B/libsphaera.a
 IMAGE  := $B/libsphaera_image.a
-PICTURE := $B/sphaera_image.so
+PICTURE := $(if $(OIIO),$B/sphaera_image.so)
+MESHES := $(if $(ASSIMP),$B/sphaera_mesh.so)
 VIEWER := $(if $(SDL),$B/sphaera_view.so)
 TOOL   := $B/sphaera
 
@@ -147,8 +152,8 @@ tool: $(TOOL) ## the command-line tool build/sphaera
 
 include make/objects.mk make/sim.mk make/bench.mk make/lab.mk make/lint.mk \
         make/synth.mk make/ip.mk make/install.mk make/test.mk make/hard.mk make/formal.mk \
-        make/top.mk make/board.mk make/view.mk make/host.mk make/mutants.mk make/fuzz.mk \
-        make/neon.mk
+        make/top.mk make/board.mk make/view.mk make/mesh.mk make/host.mk make/mutants.mk \
+        make/fuzz.mk make/neon.mk
 
 # Checked here, since make/objects.mk may make a target of any goal.
 ifneq ($(MAKECMDGOALS),)

@@ -70,6 +70,7 @@ module p_cache_moves #(
     // ---- what moves: a request by a stage, a line, a set that is cleared ----
     (* hierconn *) wire \u_dut.s1_valid_q ;
     (* hierconn *) wire \u_dut.s1_wait ;
+    (* hierconn *) wire \u_dut.s1_free ;
     (* hierconn *) wire \u_dut.s2_free ;
     (* hierconn *) wire \u_dut.s2_go ;
     (* hierconn *) wire \u_dut.queue_valid ;
@@ -86,7 +87,8 @@ module p_cache_moves #(
     wire moves_behind = ask || \u_dut.fill || \u_dut.head_go ||
                         (\u_dut.head_free && \u_dut.queue_valid );
     wire moves_before = \u_dut.s2_go || \u_dut.walk_step ||
-                        (\u_dut.s1_valid_q && \u_dut.s2_free && !\u_dut.s1_wait );
+                        (\u_dut.s1_valid_q && \u_dut.s2_free && !\u_dut.s1_wait ) ||
+                        (\u_dut.skid_q && \u_dut.s1_free );
     reg [2:0] behind_q = 3'd0, before_q = 3'd0;
     always @(posedge clk) begin
         behind_q <= old_q && behind && willing && !moves_behind ? behind_q + 3'd1 : 3'd0;
@@ -197,9 +199,10 @@ module p_cache_moves #(
     always @(posedge clk) if (rsp_ready || !rsp_valid) hit_q <= \u_dut.hit_go ;
     wire kept = old_q && rsp_valid && hit_q && rsp_error && !(rsp_tag ? void_q[1] : void_q[0]);
 
-    // ---- no word of the data RAM is read while it is written ----
+    // ---- no word of the data RAM, no key is read while it is written ----
     (* hierconn *) wire \u_dut.u_data.collision ;
+    (* hierconn *) wire \u_dut.u_keys.collision ;
     assign bad_o = behind_q == QUIET || before_q == QUIET || kept || (old_q && !holds) ||
-                   (old_q && \u_dut.u_data.collision );
+                   (old_q && (\u_dut.u_data.collision || \u_dut.u_keys.collision ));
 endmodule
 `default_nettype wire

@@ -9,7 +9,7 @@
 # Embree's C interface, if it is installed; looked for when it is used.
 EMBREE = $(if $(wildcard /usr/include/embree3/rtcore.h),$B/sim/embree)
 
-$B/sim/embree: $B/obj/sim/embree.o $(ARCHIVE)
+$B/sim/embree: $B/obj/sim/embree.o $(MODEL)
 	$(call say,LD,$(@F))
 	@mkdir -p $(@D)
 	$(call make_whole,$(CC) $^ -lembree3 $(MODEL_LIBS))

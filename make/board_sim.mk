@@ -10,7 +10,7 @@ MODULE ?= rt_$(TOP)
 include make/verilated.mk
 
 K    := $S/tb_$(TOP)
-ARCHIVE := $B/libsphaera.a
+MODEL := $B/libsphaera.a
 RTL_FILES := $(shell find rtl tb/board -name '*.v' -o -name '*.vh')
 RTL_DIRS  := $(sort $(dir $(RTL_FILES)))
 VERILATE := $(VERILATOR) --cc --language 1364-2005 -Wall -O3 --x-assign unique --x-initial unique \
@@ -41,7 +41,7 @@ $S/obj/board_tool.o: cmodel/tool/board.c cmodel/tool/board.h $(wildcard driver/*
 	@mkdir -p $(@D)
 	gcc -std=c11 -D_GNU_SOURCE -O2 -Icmodel -c $< -o $@
 
-$K/tb_$(TOP): $K/top.o $(DRIVER) $(VERILATED) $(ARCHIVE)
+$K/tb_$(TOP): $K/top.o $(DRIVER) $(VERILATED) $(MODEL)
 	g++ $^ -lm -lpthread -o $@
 
 -include $K/top.d

@@ -34,7 +34,7 @@ STAGES  ?= 0
 include make/verilated.mk
 
 K   := $S/$(KEY)
-ARCHIVE := $B/libsphaera.a
+MODEL := $B/libsphaera.a
 
 CXXFLAGS := -std=c++17 -O2 -Wall -Wextra -Icmodel -Itb/core
 LIBS     := -pthread -ljansson -lm
@@ -88,7 +88,7 @@ $S/obj/%.o: tb/core/%.cpp $S/obj/flags
 	@mkdir -p $(@D)
 	$(CCACHE) $(CXX) $(CXXFLAGS) -MMD -MP -c $< -o $@
 
-$S/tb_core_icarus: $(SHARED) $S/obj/simulate_icarus.o $(ARCHIVE)
+$S/tb_core_icarus: $(SHARED) $S/obj/simulate_icarus.o $(MODEL)
 	$(CXX) $(LINKER) $^ $(LIBS) -o $@
 
 # Nobody reads the sinks of unused signals (`wire unused = ...`), but Icarus would spend a fifth of
@@ -125,7 +125,7 @@ $K/core_cxxrtl.o: tb/core/simulate_cxxrtl.cpp $K/core_cxxrtl/core.cpp
 	    -I$(dir $(word 2,$^)) -isystem $$(yosys-config --datdir)/include \
 	    -DYOSYS_VERSION='"$(shell yosys -V)"' -MMD -MP -c $< -o $@
 
-$K/tb_core_cxxrtl: $(SHARED) $K/core_cxxrtl.o $S/obj/simulate_host.o $(ARCHIVE)
+$K/tb_core_cxxrtl: $(SHARED) $K/core_cxxrtl.o $S/obj/simulate_host.o $(MODEL)
 	$(CXX) $(LINKER) $^ $(LIBS) -o $@
 
 # The core as cells of a family, and what simulates them.
@@ -136,10 +136,13 @@ $K/ecp5.json $K/xc7.json: $K/%.json: $(RTL_FILES) synth/cells.sh synth/folders.s
 
 # The core as cells of a library: what Yosys maps, then areas, times, energies and the program.
 $K/silicon.flags: FORCE
-	$(call stamp,$(PARAMETERS),$(YOSYS))
+	$(call stamp,$(PARAMETERS) $(CLOCK_GATES),$(YOSYS))
 $K/silicon.json: $(RTL_FILES) synth/silicon.sh synth/folders.sh $K/silicon.flags
-	YOSYS='$(YOSYS)' RTL=$(RTL) sh synth/silicon.sh '$(LIBERTY)' rt_core $@ $(PARAMETERS)
-$K/core.so: $K/silicon.json $(wildcard lab/silicon/*.py) tb/netlist/gates.c tb/netlist/gates.h
+	YOSYS='$(YOSYS)' CLOCK_GATES=$(CLOCK_GATES) RTL=$(RTL) sh synth/silicon.sh '$(LIBERTY)' \
+	    rt_core $@ $(PARAMETERS)
+SILICON := $(addprefix lab/silicon/,core.py energy.py function.py liberty.py liberty_text.py \
+               macros.py netlist.py program.py timing.py)
+$K/core.so: $K/silicon.json $(SILICON) tb/netlist/gates.c tb/netlist/gates.h
 	python3 -m lab silicon-core $< '$(LIBERTY)' '$(MACROS)' $(@D)
 
 NETLIST := $(patsubst tb/netlist/%.cpp,$S/obj/netlist_%.o,$(wildcard tb/netlist/*.cpp))
@@ -148,7 +151,7 @@ $(NETLIST): $S/obj/netlist_%.o: tb/netlist/%.cpp $S/obj/flags
 	$(CCACHE) $(CXX) $(CXXFLAGS) -MMD -MP -c $< -o $@
 
 $S/obj/simulate_netlist.o: CXXFLAGS += -Itb
-$S/tb_core_netlist: $(SHARED) $S/obj/simulate_netlist.o $S/obj/simulate_host.o $(NETLIST) $(ARCHIVE)
+$S/tb_core_netlist: $(SHARED) $S/obj/simulate_netlist.o $S/obj/simulate_host.o $(NETLIST) $(MODEL)
 	$(CXX) $(LINKER) $^ $(LIBS) -o $@
 
 $(VERILATED) $(TRACED): $S/obj/%.o: $(ROOT)/%.cpp $S/obj/flags
@@ -157,7 +160,7 @@ $(VERILATED) $(TRACED): $S/obj/%.o: $(ROOT)/%.cpp $S/obj/flags
 	    $(if $(filter %fst_c.cpp,$<),-DVM_TRACE=1 -DVM_TRACE_FST=1) -c $< -o $@
 
 $S/obj/simulate_stages.o: CXXFLAGS += $(HEADERS)
-$K/tb_core: $(SHARED) $K/core.o $S/obj/simulate_stages.o $(VERILATED) $(TRACED) $(ARCHIVE)
+$K/tb_core: $(SHARED) $K/core.o $S/obj/simulate_stages.o $(VERILATED) $(TRACED) $(MODEL)
 	$(CXX) $(LINKER) $^ $(LIBS) $(if $(TRACED),-lz) -o $@
 
 -include $(wildcard $S/obj/*.d $K/core.d $K/core_cxxrtl.d)

@@ -42,7 +42,7 @@ $B/test/obj/%.o: %.c $B/flags
 	@mkdir -p $(@D)
 	$(call compile_whole,$(CC) $(CFLAGS) $(HARD_CFLAGS))
 
-$B/test/hard: $(HARD_C:%.c=$B/test/obj/%.o) $B/obj/cmodel/tool/progress.o $(ARCHIVE)
+$B/test/hard: $(HARD_C:%.c=$B/test/obj/%.o) $B/obj/cmodel/tool/progress.o $(MODEL)
 	$(call say,LD,$(@F))
 	$(call make_whole,$(CC) $^ $(HARD_LIBS))
 
@@ -67,7 +67,7 @@ hard-pictures: $B/test/hard-pictures ## pictures and counts of docs/results/hard
 	@python3 -m lab place docs/results/hard_cases.md "make hard-pictures" counts \
 	    $B/test/hard.counts
 
-$B/test/hard-pictures: $(PICTURES_C:%.c=$B/test/obj/%.o) $B/test/libhard.a $(IMAGE) $(ARCHIVE)
+$B/test/hard-pictures: $(PICTURES_C:%.c=$B/test/obj/%.o) $B/test/libhard.a $(IMAGE) $(MODEL)
 	$(call say,LD,$(@F))
 	$(call make_whole,$(CXX) $^ $(IMAGE_LIBS) $(MODEL_LIBS))
 

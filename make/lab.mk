@@ -25,7 +25,7 @@ papers-setup: ## installs Valgrind (apt), with which `make papers` counts the mo
 
 # falsely dark pixels: build/test/shadow_acne SCENE.nff PROFILE --show tells each, with its ray
 ACNE_C := $(sort $(wildcard tests/shadow_acne/*.c))
-$B/test/shadow_acne: $(ACNE_C:%.c=$B/test/obj/%.o) $(ARCHIVE)
+$B/test/shadow_acne: $(ACNE_C:%.c=$B/test/obj/%.o) $(MODEL)
 	$(call say,LD,$(@F))
 	$(call make_whole,$(CC) $^ $(MODEL_LIBS))
 

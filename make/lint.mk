@@ -20,7 +20,8 @@ C_HEADS  := $(sort $(shell find cmodel tb tests -name '*.h'))
 # from lint-deep below
 DEEP     := $(if $(filter deep,$(DEEP)),deep,shallow)
 TIDIED   := $B/lint$(if $(filter deep,$(DEEP)),-deep)
-TIDY     := $(filter-out $(GENERATORS) $(if $(SDL),,$(SDL_C)),$(C_FILES)) $(IMAGE_CXX) \
+TIDY     := $(filter-out $(GENERATORS) $(if $(SDL),,$(SDL_C)) \
+                $(if $(ASSIMP),,$(MESH_C)),$(C_FILES)) $(IMAGE_CXX) \
             $(wildcard formal/*.c)
 LINTS    := verilator iverilog systemverilog slang verible yosys tidy format layers text
 LINT_VENV := $B/venv/lint

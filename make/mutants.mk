@@ -19,7 +19,7 @@ common-mode: suites ## faults planted in model and RTL alike, and what notices t
 	$(call planted,common_mode)
 
 NAIVE := $B/test/naive-frame
-$(NAIVE): $B/test/obj/tests/reference/naive_frame.o $(ARCHIVE)
+$(NAIVE): $B/test/obj/tests/reference/naive_frame.o $(MODEL)
 	$(call say,LD,$(@F))
 	$(call make_whole,$(CC) $^ $(MODEL_LIBS))
 tests/reference/test_hashes_naive.sh: | $(NAIVE)
@@ -35,7 +35,7 @@ campaign_lists := 0 1 2 3
 campaign_one = python3 -m lab mutants plan $B $(FAULTS) $(SEED) $(1) $B/mutants/list$(1) && \
     $(call jobs_run,$B/mutants/list$(1))
 
-campaign: $(ARCHIVE) $(TOOL) $B/test/libhard.a ## faults by Yosys in every module, and what notices them
+campaign: $(TOOL) $B/test/libhard.a ## faults by Yosys in every module, and what notices them
 	@mkdir -p $B/mutants
 	@BENCH_BUILD=$B python3 -m lab benches --tools && sh sim/core.sh --help >$B/mutants/harness.log
 	$(Q)$(foreach n,$(campaign_lists),$(call campaign_one,$n) &&) true
@@ -46,10 +46,10 @@ campaign_model = builder core fast machine math pixel prim reference shade textu
 campaign_suite = $(patsubst %.c,$B/test/%.o, \
     $(notdir $(wildcard $(campaign_model:%=tests/%/test_*.c))))
 campaign-c: $(campaign_suite:.o=.sanitized.o) $B/asan/libsphaera.a
-campaign-c: $(ARCHIVE) $(campaign_suite) $B/test/hard ## faults in the model, and what notices them
+campaign-c: $(MODEL) $(campaign_suite) $B/test/hard ## faults in the model, and what notices them
 	@JOBS=$(JOBS) python3 -m lab mutants-c $B $(FAULTS) $(SEED) $(MINUTES) -- $(CC) $(CFLAGS)
 
 # Branches and bits that the benches of small modules meet.
-coverage: $(ARCHIVE) $B/test/libhard.a ## branches and bits of small modules that their benches meet
+coverage: $(MODEL) $B/test/libhard.a ## branches and bits of small modules that their benches meet
 	@BENCH_BUILD=$B python3 -m lab benches --tools
 	$(Q)python3 -m lab coverage $B

@@ -14,7 +14,7 @@ net_top     = $(call top_tool,64) PROFILE=draft CORE=none OPT=-O0 BENCH=tb_show 
 .PHONY: netlist
 NETLISTS    = $(NETLIST)/core/rtl/rt_core.v $(NETLIST)/top/rtl/rt_top.v $(NETLIST)/frame.sph
 netlist: $(NETLISTS) ## netlists of core and rt_top for ECP5, simulated: 8 processor minutes
-	@mkdir -p $B/sim && ln -f $(ARCHIVE) $(NETLIST)/
+	@mkdir -p $B/sim && ln -f $(MODEL) $(NETLIST)/
 	$(Q)BUILD=$(NETLIST) RTL=$(NETLIST)/core/rtl EFFECTS=none OPT=-O0 \
 	    sh sim/core.sh --machine $(NETLIST)/frame.sph --latency 5 --stall 20 --seed 7 --stop
 	$(Q)$(net_top) top >$(NETLIST)/build.log 2>&1 || { cat $(NETLIST)/build.log; exit 1; }

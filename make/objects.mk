@@ -54,7 +54,7 @@ $B/clang/obj/%.o: %.c $B/flags
 objects = $(patsubst %.c,$B/$(1)%.o,$(filter %.c,$(2))) \
           $(patsubst %.cpp,$B/$(1)%.o,$(filter %.cpp,$(2)))
 
-$(ARCHIVE): $(call objects,obj/,$(LIB_C)) $B/sources
+$(MODEL): $(call objects,obj/,$(LIB_C)) $B/sources
 $(IMAGE): $(call objects,obj/,$(IMAGE_CXX) $(IMAGE_C)) $B/sources
 $B/asan/libsphaera.a: $(call objects,asan/obj/,$(LIB_C)) $B/sources
 $B/clang/libsphaera.a: $(call objects,clang/obj/,$(LIB_C)) $B/sources
@@ -79,13 +79,13 @@ $B/obj/cmodel/reference/floats.o $B/asan/obj/cmodel/reference/floats.o: \
     override CFLAGS += -ffp-contract=off
 
 # What the tool loads when a picture is asked for: cmodel/image/lazy.c.
-$(PICTURE): $(call objects,obj/,$(IMAGE_CXX) cmodel/image/plain.c) $(ARCHIVE) $B/sources
+$(PICTURE): $(call objects,obj/,$(IMAGE_CXX) cmodel/image/plain.c) $(MODEL) $B/sources
 	$(call say,LD,$(@F))
 	$(call make_whole,$(CXX) -shared -Wl$(comma)-Bsymbolic -Wl$(comma)--no-undefined \
 	    $(filter %.o %.a,$^) $(IMAGE_LIBS) $(MODEL_LIBS))
 
-$(TOOL): $(call objects,obj/,$(TOOL_C) $(IMAGE_C) $(LAZY_C)) $(VERSION_O) $(ARCHIVE) $(PICTURE) \
-         $(VIEWER)
+$(TOOL): $(call objects,obj/,$(TOOL_C) $(IMAGE_C) $(LAZY_C)) $(VERSION_O) $(MODEL) $(PICTURE) \
+         $(MESHES) $(VIEWER)
 	$(call say,LD,$(@F))
 	$(call make_whole,$(CC) $(filter %.o %.a,$^) $(call pkg,--libs jansson) \
 	    $(MODEL_LIBS) -ldl)

@@ -18,7 +18,7 @@ BENCH   ?= tb_top
 include make/verilated.mk
 
 K    := $S/$(BENCH)-$(NAME)
-ARCHIVE := $B/libsphaera.a
+MODEL := $B/libsphaera.a
 RTL_FILES := $(shell find $(RTL) -name '*.v' -o -name '*.vh')
 RTL_DIRS  := $(sort $(dir $(RTL_FILES)))
 FRAME_DATA := $(if $(filter 256,$(DATA)),128,$(DATA))
@@ -60,7 +60,7 @@ $(DRIVER): $(wildcard driver/*)
 	gcc -std=c99 -ffreestanding -pedantic -Wall -Wextra -Wconversion -Wshadow -Werror -O2 \
 	    -c driver/sphaera.c -o $@
 
-$K/$(BENCH): $K/top.o $(DRIVER) $(VERILATED) $(ARCHIVE)
+$K/$(BENCH): $K/top.o $(DRIVER) $(VERILATED) $(MODEL)
 	g++ $^ -lm -lpthread -o $@
 
 -include $K/top.d

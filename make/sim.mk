@@ -23,7 +23,8 @@ BUILD_OPTIONS := --profile $(BUILD_PROFILE) --depth $(DEPTH) --background $(BACK
 # What shapes a machine, and its run on a core.
 MACHINE_KEY := SCENE SEED BUILD_OPTIONS LITERAL
 SIM_KEY     := $(MACHINE_KEY) EFFECTS ENGINES PIPES LEAF_UNITS SHADES ROOT_STEP QUOTIENT_STEP \
-               SIZES SIM LIB LATENCY STALL MEMORY CORE_MHZ WINDOW PIXEL WARM WAVES WATCHDOG
+               SIZES SIM LIB CLOCK_GATES LATENCY STALL MEMORY CORE_MHZ WINDOW PIXEL WARM WAVES \
+               WATCHDOG
 # (call run,GOAL,KEY): the names of its folder and how it speaks are passed besides.
 run = $(call values,$(2) PROFILE SIZE SAMPLES V) BUILD=$B sh sim/run.sh $(1) $(2)
 # In make/core.mk RTL is a folder: what make case was given does not get there.
@@ -38,7 +39,7 @@ price: $(TOOL) ## what accuracy costs SCENE in time: table, picture; MORE=1, RTL
 	    $(MACHINE_KEY) MORE RTL LATENCY)
 
 PICTURES := $B/sim/pictures
-$(PICTURES): $B/obj/sim/pictures.o $(call objects,obj/,$(IMAGE_C) $(LAZY_C)) $(ARCHIVE)
+$(PICTURES): $B/obj/sim/pictures.o $(call objects,obj/,$(IMAGE_C) $(LAZY_C)) $(MODEL)
 	$(call say,LD,$(@F))
 	@mkdir -p $(@D)
 	$(call make_whole,$(CXX) $^ $(MODEL_LIBS) -ldl)
@@ -66,7 +67,7 @@ silicon: $(TOOL) ## area, MHz and energy of SCENE's core in cells of LIB, which 
 silicon-run:
 	$(Q)$(call values,MACROS YOSYS) $(call run,silicon,$(SIM_KEY) MACROS)
 
-silicon-setup: yosys-setup ## what make silicon needs: a library of cells, OpenSTA (apt), Yosys (PyPI)
+silicon-setup: yosys-setup ## installs cells, OpenSTA (apt), Yosys (PyPI), for make silicon
 	@sh sim/setup.sh qflow-tech-osu018 opensta
 
 .PHONY: movie-setup

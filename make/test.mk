@@ -60,7 +60,7 @@ $B/test/test_%.clang.o: test_%.c $B/flags
 	@mkdir -p $(@D)
 	$(call compile_whole,$(CLANG_CC) $(CLANG_FLAGS) -Itests)
 
-$(TEST_RUN): %: %.o $(ARCHIVE)
+$(TEST_RUN): %: %.o $(MODEL)
 	$(call make_whole,$(CC) $(LINKER) $(filter %.o,$^) $(filter %.a,$^) $(TEST_LIBS))
 
 $(TEST_RUN:%=%.sanitized): %: %.o $B/asan/libsphaera.a
@@ -83,7 +83,7 @@ $B/asan/obj/cmodel/sphaera/version.o: override CFLAGS += -DSPHAERA_RELEASE='"$(V
 -include $(TEST_RUN:%=%.d) $(TEST_RUN:%=%.sanitized.d) $(CLANG_RUN:%=%.d)
 
 # ---- the suite of images: it alone is linked with OpenImageIO ----
-$B/test/test_image: $B/obj/tests/image/test_image.o $(IMAGE) $(ARCHIVE)
+$B/test/test_image: $B/obj/tests/image/test_image.o $(IMAGE) $(MODEL)
 	$(call say,LD,$(@F))
 	@mkdir -p $(@D)
 	$(call make_whole,$(CXX) $^ $(IMAGE_LIBS) $(MODEL_LIBS))

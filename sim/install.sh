@@ -35,9 +35,10 @@ install)
     install -d "$to/bin" "$to/include/sphaera" "$to/lib/sphaera" "$to/lib/pkgconfig" \
         "$to/share/man/man1" "$bash" "$zsh"
     install -m 755 "$BUILD/sphaera" "$to/bin"
-    install -m 755 "$BUILD/sphaera_image.so" "$to/lib/sphaera/image.so"
-    [ ! -e "$BUILD/sphaera_view.so" ] ||
-        install -m 755 "$BUILD/sphaera_view.so" "$to/lib/sphaera/view.so"
+    for part in image mesh view; do # each may be missing
+        [ ! -e "$BUILD/sphaera_$part.so" ] ||
+            install -m 755 "$BUILD/sphaera_$part.so" "$to/lib/sphaera/$part.so"
+    done
     install -m 644 cmodel/sphaera/sphaera.h "$to/include/sphaera"
     install -m 755 "$dist/$shared" "$to/lib"
     ln -sf "$shared" "$to/lib/libsphaera.so.$major"
@@ -50,9 +51,9 @@ install)
     install -m 644 "$dist/complete.zsh" "$zsh/_sphaera"
     ;;
 uninstall)
-    for file in bin/sphaera lib/sphaera/image.so lib/sphaera/view.so include/sphaera/sphaera.h \
-        "lib/$shared" "lib/libsphaera.so.$major" lib/libsphaera.so lib/libsphaera.a \
-        lib/pkgconfig/sphaera.pc; do
+    for file in bin/sphaera lib/sphaera/image.so lib/sphaera/mesh.so lib/sphaera/view.so \
+        include/sphaera/sphaera.h "lib/$shared" "lib/libsphaera.so.$major" lib/libsphaera.so \
+        lib/libsphaera.a lib/pkgconfig/sphaera.pc; do
         rm -f "$to/$file"
     done
     rm -f "$bash/sphaera" "$zsh/_sphaera"

@@ -3,19 +3,28 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # usage: synth/silicon.sh LIB MODULE FILE.json PARAMETER=VALUE...
-#   YOSYS is another one than that of the PATH; RTL another source folder
-# FILE.json holds the flat netlist, FILE.stat what Yosys counted, FILE.log what it said. Memories are
-# cells $mem_v2 in it; a table without a write port is logic. Modules are mapped one by one and then
-# put together. A Yosys that knows Booth's multipliers makes those.
+#   YOSYS is another one than that of the PATH; RTL another source folder; CLOCK_GATES=0: none
+# FILE.json holds the flat netlist, FILE.stat what Yosys counted, FILE.log what it said. Memories
+# are cells $mem_v2 in it; a table without a write port is logic. Where LEAST flip-flops or more
+# wait for the same enable, a gate RT_CLOCK_GATE stops their clock: its output follows clk in clocks
+# before which en was high. Modules are mapped one by one and then put together. Yosys 0.23 knows
+# neither gates of clocks nor multipliers of Booth, which newer ones make.
 set -eu
 cd "$(dirname "$0")/.."
 lib=$1 top=$2 out=${3%.json} rtl=${RTL:-rtl} yosys=${YOSYS:-yosys}
+LEAST=8
 shift 3
 . synth/folders.sh
 . sim/beside.sh
-booth=
-! "$yosys" -p "help synth" | grep -q -e -booth || booth=-booth
+knows() { "$yosys" -p "help $1" | grep -q -e "$2"; }
+booth='' gates=''
+! knows synth -booth || booth=-booth
 beside "$out.json"
+if [ "${CLOCK_GATES:-1}" = 1 ] && knows clockgate -pos; then
+    echo 'module RT_CLOCK_GATE (input en, input clk, output gclk); endmodule' >"$out.gate.v"
+    gates="dfflegalize -cell \$_DFF_P_ x -cell \$_DFFE_PP_ x; read_verilog -lib $out.gate.v;
+        clockgate -pos RT_CLOCK_GATE en:clk:gclk -min_net_size $LEAST;"
+fi
 # YoWASP takes paths below its own folder alone: the library is brought there.
 cp "$lib" "$out.lib"
 driver=$(python3 -m lab silicon-buffer "$lib")
@@ -25,7 +34,7 @@ nice "$yosys" -q -l "$out.log" -p "verilog_defaults -add $include -DSYNTHESIS;
     hierarchy -check -top $top $library; read_liberty -lib -ignore_miss_func $out.lib;
     synth $booth -top $top -run begin:fine; memory_map -rom-only;
     opt -fast -full; opt -undriven -fine; techmap; opt -fast; opt_clean;
-    dfflibmap -liberty $out.lib; opt -fast; abc -liberty $out.lib -constr $out.constr;
+    $gates dfflibmap -liberty $out.lib; opt -fast; abc -liberty $out.lib -constr $out.constr;
     opt_clean; setundef -zero; check -assert;
     flatten; opt_clean; tee -q -o $out.stat stat -liberty $out.lib;
     attrmap -remove src -remove hdlname; write_json $new" >"$out.errors" 2>&1 || {

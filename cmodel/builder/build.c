@@ -283,6 +283,8 @@ static int build_rest(const struct sph_scene *scene, const struct sph_build_opti
         if (lost[i]) {
             rc = sph_ledger_note(&rest.ledger, (enum sph_read)lost[i], scene->path,
                                  scene->spheres[i].line, err);
+            sph_ledger_take_back(
+                &rest.ledger, scene->ledger.row[SPH_READ_ATOM].n ? SPH_READ_ATOM : SPH_READ_SPHERE);
             continue;
         }
         if (o.unmet) prims[rest.n_spheres] = o.unmet->prims[i];

@@ -117,7 +117,7 @@ struct sph_build_report {
                                the middle of the picture an eye put nearer moves points */
     struct sph_eye eye;     /* where it is put */
     uint32_t nodes, depth;  /* of the tree: how many, on how many levels */
-    char tree_why[64];      /* empty if it was asked for */
+    char tree_why[128];     /* empty if it was asked for */
     int refitted;           /* the tree is that of the frame before, in new places */
     double tree_cost;       /* then: its cost over that of the tree when it was built; else 1 */
     uint32_t facets, loose; /* primitives that are no spheres; of them, without bounds */

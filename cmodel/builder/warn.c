@@ -4,10 +4,12 @@
 #include "builder/warn.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 #include "builder/effects/effects.h"
 #include "builder/emit.h"
 #include "builder/grid/grid.h"
+#include "scene/record.h"
 
 void sph_warn_coarse(const struct sph_scene *scene, const struct sph_profile *profile, int axes,
                      struct sph_build_report *report) {
@@ -46,6 +48,16 @@ int sph_note_left_out(const struct sph_scene *scene, const struct sph_facets *fa
         if (out[i].n && sph_ledger_add(&report->ledger, out[i].kind, out[i].n, scene->path,
                                        scene->facets[out[i].first].line, 0, err))
             return -1;
+    if (!facets->n_twice && !facets->n_merged && !facets->n_empty) return 0;
+    uint8_t *left = calloc(scene->n_facets, 1);
+    if (!left) return sph_fail(err, "out of memory for %u triangles", scene->n_facets);
+    for (uint32_t i = 0; i < facets->n; i++)
+        left[facets->list[i].scene] = 1;
+    struct sph_recount recount = {.ledger = &report->ledger};
+    for (uint32_t i = 0; i < scene->n_facets; i++)
+        sph_recount_facet(&recount, &scene->facets[i], left[i]);
+    sph_recount_facet(&recount, NULL, 0);
+    free(left);
     return 0;
 }
 

@@ -6,6 +6,7 @@
 #include <stddef.h>
 #include <string.h>
 #include <strings.h>
+#include <sys/stat.h>
 
 #include "common/file.h"
 
@@ -34,18 +35,30 @@ static const struct {
     {"BM", 2, 0, {SPH_FILE_IMAGE, "a BMP image"}},
     {"P5", 2, 0, {SPH_FILE_IMAGE, "a PGM image"}},
     {"P6", 2, 0, {SPH_FILE_IMAGE, "a PPM image"}},
-    {"glTF", 4, 0, {SPH_FILE_MESH, "a binary glTF scene"}},
-    {"ply", 3, 0, {SPH_FILE_MESH, "a PLY mesh"}},
+    {"glTF", 4, 0, {SPH_FILE_GLB, "a binary glTF scene"}},
+    {"ply", 3, 0, {SPH_FILE_PLY, "a PLY mesh"}},
     {"\x1f\x8b", 2, 0, {SPH_FILE_OTHER, "a file packed by gzip: unpack it first"}},
     {"PK\x03\x04", 4, 0, {SPH_FILE_OTHER, "a ZIP archive: unpack it first"}},
     {"BLENDER", 7, 0, {SPH_FILE_OTHER, "a Blender file: export it as glTF"}},
     {"%PDF", 4, 0, {SPH_FILE_OTHER, "a PDF document"}},
+    {"Kaydara FBX", 11, 0, {SPH_FILE_OTHER, "an FBX scene: export it as glTF"}},
+    {"PXR-USDC", 8, 0, {SPH_FILE_OTHER, "a USD scene: export it as glTF"}},
+    {"#usda", 5, 0, {SPH_FILE_OTHER, "a USD scene: export it as glTF"}},
+    {"#VRML", 5, 0, {SPH_FILE_OTHER, "a VRML scene: export it as glTF"}},
+    {"ISO-10303-21", 12, 0, {SPH_FILE_OTHER, "a STEP model: export it as STL"}},
+    {"OFF", 3, 0, {SPH_FILE_OTHER, "an OFF mesh: convert it to PLY"}},
+    {"# vtk DataFile", 14, 0, {SPH_FILE_OTHER, "a VTK data set: write it as PLY"}},
+    {"# .PCD", 6, 0, {SPH_FILE_OTHER, "a PCD point cloud: convert it to PLY"}},
+    {"LASF", 4, 0, {SPH_FILE_OTHER, "a LAS point cloud: convert it to PLY"}},
+    {"ASTM-E57", 8, 0, {SPH_FILE_OTHER, "an E57 point cloud: convert it to PLY"}},
+    {"\x89HDF", 4, 0, {SPH_FILE_OTHER, "an HDF5 file"}},
+    {"CDF", 3, 0, {SPH_FILE_OTHER, "a NetCDF file"}},
+    {"@<TRIPOS>", 9, 0, {SPH_FILE_OTHER, "a MOL2 molecule: convert it to PDB"}},
     {"\x7f"
      "ELF",
      4,
      0,
      {SPH_FILE_OTHER, "a program"}},
-    {"<?xml", 5, 0, {SPH_FILE_OTHER, "an XML file"}},
 };
 
 /* Endings of names, where the content says nothing else. */
@@ -63,11 +76,11 @@ static const struct {
     {"xyz", {SPH_FILE_XYZ, "a list of atoms (XYZ)"}},
     {"csv", {SPH_FILE_CSV, "a table of points"}},
     {"tsv", {SPH_FILE_CSV, "a table of points"}},
-    {"obj", {SPH_FILE_MESH, "a Wavefront OBJ mesh"}},
-    {"stl", {SPH_FILE_MESH, "an STL mesh"}},
-    {"ply", {SPH_FILE_MESH, "a PLY mesh"}},
-    {"gltf", {SPH_FILE_MESH, "a glTF scene"}},
-    {"glb", {SPH_FILE_MESH, "a binary glTF scene"}},
+    {"obj", {SPH_FILE_OBJ, "a Wavefront OBJ mesh"}},
+    {"stl", {SPH_FILE_STL, "an STL mesh"}},
+    {"ply", {SPH_FILE_PLY, "a PLY mesh"}},
+    {"gltf", {SPH_FILE_GLTF, "a glTF scene"}},
+    {"glb", {SPH_FILE_GLB, "a binary glTF scene"}},
     {"mtl", {SPH_FILE_OTHER, "a material library of OBJ meshes: give the .obj file"}},
     {"pov", {SPH_FILE_OTHER, "a POV-Ray scene"}},
     {"tga", {SPH_FILE_IMAGE, "a Targa image"}},
@@ -108,14 +121,31 @@ static struct look by_words(const char *text) {
         return (struct look){SPH_FILE_CIF, "a CIF molecule"};
     if (has_line(text, "ATOM  ") || has_line(text, "HETATM") || has_line(text, "HEADER    "))
         return (struct look){SPH_FILE_PDB, "a PDB molecule"};
-    if (vertex && (has_line(text, "f ") || has_line(text, "vn ") || has_line(text, "vt ") ||
-                   has_line(text, "o ")))
-        return (struct look){SPH_FILE_MESH, "a Wavefront OBJ mesh"};
+    if (has_line(text, "newmtl "))
+        return (struct look){SPH_FILE_OTHER,
+                             "a material library of OBJ meshes: give the .obj file"};
+    if (vertex || has_line(text, "mtllib "))
+        return (struct look){SPH_FILE_OBJ, "a Wavefront OBJ mesh"};
     if (has_line(text, "solid") && strstr(text, "facet"))
-        return (struct look){SPH_FILE_MESH, "an STL mesh"};
-    if (text[0] == '{' && strstr(text, "\"asset\""))
-        return (struct look){SPH_FILE_MESH, "a glTF scene"};
+        return (struct look){SPH_FILE_STL, "an STL mesh"};
+    if (text[strspn(text, " \t\r\n")] == '{' &&
+        (strstr(text, "\"asset\"") || strstr(text, "\"accessors\"") || strstr(text, "\"nodes\"")))
+        return (struct look){SPH_FILE_GLTF, "a glTF scene"};
+    if (strstr(text, "<COLLADA"))
+        return (struct look){SPH_FILE_OTHER, "a COLLADA scene: export it as glTF"};
+    if (!strncmp(text, "<?xml", 5)) return (struct look){SPH_FILE_OTHER, "an XML file"};
     return (struct look){SPH_FILE_NFF, NULL};
+}
+
+/* Whether a binary file is as long as an STL mesh of as many triangles as it says. */
+static int is_stl(const char *path, const char *head, size_t n) {
+    enum { TITLE = 80, EACH = 50 };
+    struct stat about;
+    long long triangles = 0;
+    if (n < TITLE + 4 || stat(path, &about)) return 0;
+    for (int i = 3; i >= 0; i--)
+        triangles = triangles << 8 | (unsigned char)head[TITLE + i];
+    return about.st_size == TITLE + 4 + EACH * triangles;
 }
 
 enum sph_file_kind sph_file_kind(const char *path, const char **looks) {
@@ -133,6 +163,7 @@ enum sph_file_kind sph_file_kind(const char *path, const char **looks) {
             return starts[i].look.kind;
         }
     int binary = memchr(head, 0, n) != NULL;
+    if (binary && is_stl(path, head, n)) look = (struct look){SPH_FILE_STL, "an STL mesh"};
     if (!binary) look = by_words(head);
     for (size_t i = 0; dot && !look.text && i < sizeof endings / sizeof *endings; i++)
         if (!strcasecmp(dot + 1, endings[i].ending)) look = endings[i].look;

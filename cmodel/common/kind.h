@@ -15,7 +15,11 @@ enum sph_file_kind {
     SPH_FILE_CIF,
     SPH_FILE_XYZ,
     SPH_FILE_CSV,
-    SPH_FILE_MESH, /* OBJ, PLY, STL, glTF, GLB */
+    SPH_FILE_OBJ,
+    SPH_FILE_PLY,
+    SPH_FILE_STL,
+    SPH_FILE_GLTF,
+    SPH_FILE_GLB, /* glTF in one binary file */
     SPH_FILE_IMAGE
 };
 

@@ -58,6 +58,10 @@ int sph_ledger_note(struct sph_ledger *l, enum sph_read kind, const char *file, 
     return sph_ledger_add(l, kind, 1, file, line, 0, err);
 }
 
+void sph_ledger_take_back(struct sph_ledger *l, uint32_t kind) {
+    if (kind && l->row[kind].n) l->row[kind].n--;
+}
+
 uint64_t sph_ledger_left_out(const struct sph_ledger *l) {
     uint64_t n = 0;
     for (int kind = 0; kind < SPH_READS; kind++)

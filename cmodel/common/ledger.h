@@ -37,6 +37,9 @@ enum sph_read_end { SPH_USED, SPH_USED_OTHERWISE, SPH_LEFT_OUT, SPH_READ_ENDS };
     X(ATOM, SPH_USED, "atom")                                                                      \
     X(NO_ATOM, SPH_USED, "record of no atom")                                                      \
     X(IMAGE, SPH_USED, "image")                                                                    \
+    X(CORNER, SPH_USED, "corner, normal or texture coordinate of a mesh (glTF: list of them)")     \
+    X(PART, SPH_USED, "number or image of a mesh's material")                                      \
+    X(NODE, SPH_USED, "node of a glTF scene")                                                      \
     X(SHINE_NONE, SPH_USED_OTHERWISE, "material with Ks but Shine 0: mirrors, no highlight")       \
     X(SHINE_LIMITED, SPH_USED_OTHERWISE, "Shine limited to 1..255")                                \
     X(INDEX_LIMITED, SPH_USED_OTHERWISE, "index of refraction limited to 0.25..4; 0 counts as 1")  \
@@ -49,6 +52,15 @@ enum sph_read_end { SPH_USED, SPH_USED_OTHERWISE, SPH_LEFT_OUT, SPH_READ_ENDS };
     X(ALTERNATE, SPH_USED_OTHERWISE, "atom of several places: the likeliest one is used")          \
     X(ELEMENT, SPH_USED_OTHERWISE, "atom whose element is told by its name")                       \
     X(SHIFTED, SPH_USED_OTHERWISE, "atom record out of its columns, read by its words")            \
+    X(FLAT, SPH_USED_OTHERWISE, "smoothing group of a mesh without normals: drawn flat")           \
+    X(CORNER_COLOURS, SPH_USED_OTHERWISE, "face with colours at its corners: it has their mean")   \
+    X(PART_MEAN, SPH_USED_OTHERWISE, "material with coloured highlights or glass: their mean")     \
+    X(PART_LIMITED, SPH_USED_OTHERWISE, "material of a mesh whose colours are limited to 0..1")    \
+    X(ROUGH, SPH_USED_OTHERWISE, "rough metal or glass: what mirrors or passes is sharp")          \
+    X(CUTOUT, SPH_USED_OTHERWISE, "material that the alpha of its image cuts out: drawn whole")    \
+    X(WRAP, SPH_USED_OTHERWISE, "image that ends or is mirrored at its edge: it repeats")          \
+    X(LIGHT_PLAIN, SPH_USED_OTHERWISE,                                                             \
+      "light of a glTF scene: it shines to all sides and does not weaken by distance")             \
     X(NO_AREA, SPH_LEFT_OUT, "triangle or polygon without area")                                   \
     X(NO_AREA_GRID, SPH_LEFT_OUT,                                                                  \
       "triangle without area on the grid of every profile that may be")                            \
@@ -64,7 +76,16 @@ enum sph_read_end { SPH_USED, SPH_USED_OTHERWISE, SPH_LEFT_OUT, SPH_READ_ENDS };
     X(SAME_PLACE, SPH_LEFT_OUT, "atom at the place of another one")                                \
     X(NO_ELEMENT, SPH_LEFT_OUT, "atom that is none: lone pair, dummy, virtual site")               \
     X(UNKNOWN, SPH_LEFT_OUT, "atom of no known element or radius")                                 \
-    X(MODEL, SPH_LEFT_OUT, "atom of a later model")
+    X(MODEL, SPH_LEFT_OUT, "atom of a later model")                                                \
+    X(LINE, SPH_LEFT_OUT, "line or point of a mesh")                                               \
+    X(PROPERTY, SPH_LEFT_OUT, "property of a PLY file that nothing here corresponds to")           \
+    X(PART_OTHER, SPH_LEFT_OUT, "part of a mesh's material that nothing here corresponds to")      \
+    X(MISSING, SPH_LEFT_OUT, "material library or image that cannot be read")                      \
+    X(IMAGE_INSIDE, SPH_LEFT_OUT, "image that a glTF file holds as text")                          \
+    X(CAMERA_OTHER, SPH_LEFT_OUT, "camera that is not chosen, or without perspective")             \
+    X(LIGHT_OTHER, SPH_LEFT_OUT, "light that is dark, or beyond the eight brightest")              \
+    X(ANIMATION, SPH_LEFT_OUT, "animation, skin or shape of a mesh: it is drawn at rest")          \
+    X(EXTENSION, SPH_LEFT_OUT, "extension of glTF that is not known here")
 
 enum sph_read {
 #define SPH_READ_KIND(kind, end, name) SPH_READ_##kind,
@@ -90,6 +111,10 @@ int sph_ledger_note(struct sph_ledger *ledger, enum sph_read kind, const char *f
 /* The same of n records at once, and of one beside that of line `other`. */
 int sph_ledger_add(struct sph_ledger *ledger, enum sph_read kind, uint64_t n, const char *file,
                    uint32_t line, uint32_t other, struct sph_error *err);
+
+/* A record that was counted ended otherwise after all, and has been noted so. 0: not known which.
+ */
+void sph_ledger_take_back(struct sph_ledger *ledger, uint32_t kind);
 
 enum sph_read_end sph_read_end(enum sph_read kind);
 const char *sph_read_name(enum sph_read kind);        /* as above */

@@ -20,6 +20,7 @@
 #include <OpenImageIO/strutil.h>
 
 #include "common/file.h"
+#include "common/number.h"
 #include "image/file.h"
 
 namespace {
@@ -47,10 +48,26 @@ int put_level(const OIIO::ImageBuf &level, std::uint32_t *texels) {
     return 0;
 }
 
+/* Where an image is: a file, or "file#first+bytes" for a part of one, as GLB files hold them. */
+struct place {
+    std::string file;
+    unsigned long long first = 0, bytes = 0; /* bytes 0: the whole file */
+};
+
+place place_of(const char *path) {
+    place p{path};
+    const char *mark = std::strrchr(path, '#'), *at = mark ? mark + 1 : path;
+    std::uint64_t first = 0, bytes = 0;
+    if (!mark || sph_take_count(&at, 0, SPH_INPUT_ANY, &first) || sph_take_char(&at, '+') ||
+        sph_parse_count(at, 1, MOST_BYTES, &bytes) || OIIO::Filesystem::exists(path))
+        return p;
+    return {std::string(path, mark), first, bytes};
+}
+
 /* Whether a JPEG file has its end-of-image marker: OpenImageIO fills what is missing with grey. */
-bool jpeg_ends(const char *path) {
-    std::vector<unsigned char> bytes(static_cast<std::size_t>(OIIO::Filesystem::file_size(path)));
-    OIIO::Filesystem::read_bytes(path, bytes.data(), bytes.size());
+bool jpeg_ends(const place &p) {
+    std::vector<unsigned char> bytes(p.bytes ? p.bytes : OIIO::Filesystem::file_size(p.file));
+    OIIO::Filesystem::read_bytes(p.file, bytes.data(), bytes.size(), p.first);
     for (std::size_t i = 2; i + 1 < bytes.size();) {
         unsigned marker = bytes[i] == 0xff ? bytes[i + 1] : 0;
         if (marker == 0xd9) return true;
@@ -106,10 +123,20 @@ float light_of(float v, float transfer) {
 /* Reads level 0 into a buffer of red, green, blue, alpha, all limited to 0 .. 1. */
 int read_level(const char *path, int colours, OIIO::ImageBuf *to, int *decoded,
                struct sph_error *err) {
-    if (sph_picture::refuse_unsound(path, err)) return -1;
+    const place p = place_of(path);
+    std::vector<unsigned char> bytes(p.bytes);
+    OIIO::Filesystem::IOMemReader memory(bytes.data(), bytes.size());
+    if (p.bytes &&
+        OIIO::Filesystem::read_bytes(p.file, bytes.data(), bytes.size(), p.first) != bytes.size())
+        return sph_fail(err, "%s: the file ends within it", path);
+    if (!p.bytes && sph_picture::refuse_unsound(path, err)) return -1;
     OIIO::ImageSpec config;
     config.attribute("oiio:UnassociatedAlpha", 1);
-    std::unique_ptr<OIIO::ImageInput> in = OIIO::ImageInput::open(path, &config);
+    /* what glTF has: PNG and JPEG */
+    const char *name = !p.bytes ? path : bytes[0] == 0xff ? "part.jpg" : "part.png";
+    OIIO::Filesystem::IOProxy *proxy = &memory;
+    if (p.bytes) config.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
+    std::unique_ptr<OIIO::ImageInput> in = OIIO::ImageInput::open(name, &config);
     if (!in)
         return sph_fail(err, "%s: %s", path,
                         sph_picture::reason(OIIO::geterror(), "not an image").c_str());
@@ -123,7 +150,7 @@ int read_level(const char *path, int colours, OIIO::ImageBuf *to, int *decoded,
     if (!in->read_image(0, 0, 0, spec.nchannels, OIIO::TypeFloat, from.data()))
         return sph_fail(err, "%s: %s", path,
                         sph_picture::reason(in->geterror(), "ends early").c_str());
-    if (!std::strcmp(in->format_name(), "jpeg") && !jpeg_ends(path))
+    if (!std::strcmp(in->format_name(), "jpeg") && !jpeg_ends(p))
         return sph_fail(err, "%s: ends early", path);
 
     const int grey = n < 3;
@@ -177,7 +204,8 @@ int load(const char *path, int colours, struct sph_mip *mip, struct sph_error *e
 
 int sph_mip_load(const char *path, int colours, struct sph_mip *mip, struct sph_error *err) {
     *mip = {};
-    std::FILE *probe = sph_input_open(path, MOST_BYTES, err); /* OpenImageIO takes any file */
+    const place p = place_of(path); /* OpenImageIO takes any file */
+    std::FILE *probe = sph_input_open(p.file.c_str(), p.bytes ? SPH_INPUT_ANY : MOST_BYTES, err);
     if (!probe) return -1;
     int empty = std::fgetc(probe) == EOF;
     int why = errno;

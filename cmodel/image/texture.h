@@ -16,7 +16,8 @@ extern "C" {
 /* lazy.c looks for these by name */
 #pragma GCC visibility push(default)
 
-/* Reads an image of any kind that OpenImageIO knows and makes its MIP chain. One channel is grey,
+/* Reads an image of any kind that OpenImageIO knows, or a PNG or JPEG that is a part of a file,
+ * "file#first+bytes", and makes its MIP chain. One channel is grey,
  * two are grey and alpha; of more the first three are the colour, the fourth is alpha if the file
  * says so; without alpha it is 1. Whole numbers are taken by their range, real ones limited to
  * 0 .. 1. Texels are linear light. colours: SPH_COLOURS_*; by the file it is decoded from sRGB, or

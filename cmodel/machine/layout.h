@@ -539,6 +539,7 @@
     X(SLOTS, 64) \
     X(MEM_DATA, 64) \
     X(MEM_PENDING, 0) \
+    X(LINE_BITS, 24) \
     X(NODE_LINES, 512) \
     X(LEAF_LINES, 128) \
     X(TEXTURE_LINES, 128) \

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "scene/polygon.h"
+#include "scene/record.h"
 #include "scene/vector.h"
 
 static const struct sph_affine none = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
@@ -98,40 +99,61 @@ static void pose_patches(struct sph_aff *a, double time) {
     }
 }
 
+/* A facet in its place: 1, 0 if it is left out, or -1. */
+static int pose_facet(struct sph_aff *a, struct sph_facet *f, struct sph_error *err) {
+    struct sph_scene *scene = a->r.scene;
+    const struct sph_aff_node *node = f->motion ? &a->nodes[f->motion - 1] : NULL;
+    f->motion = 0;
+    if (node && !node->visible)
+        return sph_ledger_note(&scene->ledger, SPH_READ_HIDDEN, scene->path, f->line, NULL);
+    if (node && node->flat && a->r.skip)
+        return sph_ledger_note(&scene->ledger, SPH_READ_NO_SIZE, scene->path, f->line, err);
+    if (node && node->flat)
+        return sph_fail(err, "%s:%u: a triangle is scaled by 0; --skip-unsupported leaves it out",
+                        scene->path, f->line);
+    for (int k = 0; node && k < 3; k++)
+        f->v[k] = sph_affine_point(&node->world, f->v[k]);
+    for (int k = 0; node && f->smooth && k < 3; k++)
+        f->n[k] = sph_affine_normal(&node->world, f->n[k]);
+    f->smooth = f->smooth && sph_smooth_given(f->n);
+    if (sph_triangle_empty(f->v[0], f->v[1], f->v[2]))
+        return sph_ledger_note(&scene->ledger, SPH_READ_NO_AREA, scene->path, f->line, err);
+    return 1;
+}
+
 static int pose_facets(struct sph_aff *a, struct sph_error *err) {
     struct sph_scene *scene = a->r.scene;
+    struct sph_recount recount = {.ledger = &scene->ledger};
     uint32_t kept = 0;
     for (uint32_t i = 0; i < scene->n_facets; i++) {
         struct sph_facet f = scene->facets[i];
-        const struct sph_aff_node *node = f.motion ? &a->nodes[f.motion - 1] : NULL;
-        f.motion = 0;
-        if (node && !node->visible) {
-            sph_ledger_note(&scene->ledger, SPH_READ_HIDDEN, scene->path, f.line, NULL);
-            continue;
-        }
-        if (node && node->flat && a->r.skip) {
-            if (sph_ledger_note(&scene->ledger, SPH_READ_NO_SIZE, scene->path, f.line, err))
-                return -1;
-            continue;
-        }
-        if (node && node->flat)
-            return sph_fail(err,
-                            "%s:%u: a triangle is scaled by 0; --skip-unsupported leaves it out",
-                            scene->path, f.line);
-        for (int k = 0; node && k < 3; k++)
-            f.v[k] = sph_affine_point(&node->world, f.v[k]);
-        for (int k = 0; node && f.smooth && k < 3; k++)
-            f.n[k] = sph_affine_normal(&node->world, f.n[k]);
-        f.smooth = f.smooth && sph_smooth_given(f.n);
-        if (sph_triangle_empty(f.v[0], f.v[1], f.v[2])) {
-            if (sph_ledger_note(&scene->ledger, SPH_READ_NO_AREA, scene->path, f.line, err))
-                return -1;
-            continue;
-        }
-        scene->facets[kept++] = f;
+        int left = pose_facet(a, &f, err);
+        if (left < 0) return -1;
+        sph_recount_facet(&recount, &f, left);
+        if (left) scene->facets[kept++] = f;
     }
+    sph_recount_facet(&recount, NULL, 0);
     scene->n_facets = kept;
     return 0;
+}
+
+/* The same of a sphere. */
+static int pose_sphere(struct sph_aff *a, struct sph_sphere *s, struct sph_error *err) {
+    struct sph_scene *scene = a->r.scene;
+    const struct sph_aff_node *node = s->motion ? &a->nodes[s->motion - 1] : NULL;
+    s->motion = 0;
+    if (node && !node->visible)
+        return sph_ledger_note(&scene->ledger, SPH_READ_HIDDEN, scene->path, s->line, NULL);
+    if (!node) return 1;
+    double by = sph_affine_scale(&node->world);
+    if (!(by > 0) && a->r.skip)
+        return sph_ledger_note(&scene->ledger, SPH_READ_NO_SIZE, scene->path, s->line, err);
+    if (!(by > 0))
+        return sph_fail(err, "%s:%u: `s`: scaled to no sphere; --skip-unsupported leaves it out",
+                        scene->path, s->line);
+    s->ctr = sph_affine_point(&node->world, s->ctr);
+    s->rad *= by;
+    return 1;
 }
 
 static int pose_spheres(struct sph_aff *a, struct sph_error *err) {
@@ -139,27 +161,12 @@ static int pose_spheres(struct sph_aff *a, struct sph_error *err) {
     uint32_t kept = 0;
     for (uint32_t i = 0; i < scene->n_spheres; i++) {
         struct sph_sphere s = scene->spheres[i];
-        const struct sph_aff_node *node = s.motion ? &a->nodes[s.motion - 1] : NULL;
-        s.motion = 0;
-        if (node && !node->visible) {
-            sph_ledger_note(&scene->ledger, SPH_READ_HIDDEN, scene->path, s.line, NULL);
-            continue;
-        }
-        if (node) {
-            double by = sph_affine_scale(&node->world);
-            if (!(by > 0) && a->r.skip) {
-                if (sph_ledger_note(&scene->ledger, SPH_READ_NO_SIZE, scene->path, s.line, err))
-                    return -1;
-                continue;
-            }
-            if (!(by > 0))
-                return sph_fail(err,
-                                "%s:%u: `s`: scaled to no sphere; --skip-unsupported leaves it out",
-                                scene->path, s.line);
-            s.ctr = sph_affine_point(&node->world, s.ctr);
-            s.rad *= by;
-        }
-        scene->spheres[kept++] = s;
+        int left = pose_sphere(a, &s, err);
+        if (left < 0) return -1;
+        if (left)
+            scene->spheres[kept++] = s;
+        else
+            sph_ledger_take_back(&scene->ledger, SPH_READ_SPHERE);
     }
     scene->n_spheres = kept;
     return 0;

@@ -107,9 +107,10 @@ int sph_aff_take_word(struct sph_aff *a, struct sph_error *err) {
     while (i < N_WORDS && strcmp(a->r.lex.token, words[i].word) != 0)
         i++;
     if (i < N_WORDS && !words[i].take) return sph_nff_take_record(&a->r, err);
-    uint32_t line = a->r.lex.token_line;
+    uint32_t line = a->r.lex.token_line, facets = a->r.scene->n_facets;
     sph_lex_take(&a->r.lex);
     if (i == N_WORDS) return sph_nff_skip(&a->r, err);
     if (words[i].take(a, err)) return -1;
+    if (words[i].kind != SPH_READ_WORD) sph_nff_mark(&a->r, facets, words[i].kind);
     return sph_nff_note(&a->r, words[i].kind, line, err);
 }

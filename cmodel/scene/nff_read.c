@@ -175,15 +175,16 @@ static const struct sph_nff_word words[] = {{"f", sph_nff_take_f, SPH_READ_MATER
 enum { N_WORDS = sizeof words / sizeof *words };
 
 int sph_nff_take_record(struct sph_reader *r, struct sph_error *err) {
-    uint32_t line = r->lex.token_line;
+    uint32_t line = r->lex.token_line, facets = r->scene->n_facets;
     const struct sph_nff_word *word = sph_prim_word(r->lex.token);
     for (int i = 0; i < N_WORDS && !word; i++)
         if (!strcmp(r->lex.token, words[i].word)) word = &words[i];
     sph_lex_take(&r->lex);
     r->ended = 0;
     if (!word) return sph_nff_skip(r, err);
-    if (word->take(r, err)) return -1;
-    return r->ended ? 0 : sph_nff_note(r, word->kind, line, err);
+    if (word->take(r, err) || (!r->ended && sph_nff_note(r, word->kind, line, err))) return -1;
+    sph_nff_mark(r, facets, r->kind);
+    return 0;
 }
 
 /* A record, and the motion of the primitives that it added. */

@@ -15,12 +15,13 @@ enum { SPH_SHADING_NFF, SPH_SHADING_BLEND, SPH_SHADING_SUM }; /* `shading`; NFF:
 struct sph_reader {
     struct sph_lex lex;
     struct sph_scene *scene;
-    int skip;           /* leave unsupported primitives out */
-    double round;       /* of cones, see frustum.h */
-    uint32_t material;  /* the newest one of the file */
-    int material_used;  /* a primitive uses it */
-    int shading;        /* SPH_SHADING_*: of the materials that follow */
-    int ended;          /* the record has been noted in the ledger */
+    int skip;          /* leave unsupported primitives out */
+    double round;      /* of cones, see frustum.h */
+    uint32_t material; /* the newest one of the file */
+    int material_used; /* a primitive uses it */
+    int shading;       /* SPH_SHADING_*: of the materials that follow */
+    int ended;         /* the record has been noted in the ledger as the kind */
+    enum sph_read kind;
     int clear;          /* `shadows clear`: shadow rays pass those that transmit */
     uint32_t texture;   /* of the spheres and planes that follow: index + 1, 0: none */
     uint32_t motion;    /* of the primitives that follow: index + 1, 0: still */
@@ -54,6 +55,9 @@ int sph_nff_vec(struct sph_reader *r, const char *record, struct sph_vec *v, str
 /* Takes n numbers with the given names if a number comes next. 1 if so, 0 if not, -1. */
 int sph_nff_more(struct sph_reader *r, const char *record, const char *const *names, int n,
                  double *values, struct sph_error *err);
+
+/* Marks the facets from this one on as of a record that counts as a kind. */
+void sph_nff_mark(struct sph_reader *r, uint32_t facets, enum sph_read kind);
 
 /* Notes in the ledger how the record of that line, or a part of it, ended. -1 under `strict`. */
 int sph_nff_note(struct sph_reader *r, enum sph_read kind, uint32_t line, struct sph_error *err);

@@ -19,8 +19,13 @@ int sph_nff_fail(struct sph_reader *r, struct sph_error *err, const char *record
 }
 
 int sph_nff_note(struct sph_reader *r, enum sph_read kind, uint32_t line, struct sph_error *err) {
-    r->ended = 1;
+    r->ended = 1, r->kind = kind;
     return sph_ledger_note(&r->scene->ledger, kind, r->lex.path, line, err);
+}
+
+void sph_nff_mark(struct sph_reader *r, uint32_t facets, enum sph_read kind) {
+    for (; facets < r->scene->n_facets; facets++)
+        r->scene->facets[facets].read = kind;
 }
 
 int sph_nff_vec(struct sph_reader *r, const char *record, struct sph_vec *v,

@@ -9,6 +9,9 @@
 
 #define ANGLE 30.0  /* degrees, vertical */
 #define MARGIN 1.04 /* of the distance */
+/* A mesh is seen from the front, from so much above it and to the right. */
+#define TALL 0.3
+#define SIDE 0.5
 
 /* Eigenvectors of the symmetric matrix m as columns of axes, by Jacobi's rotations; the
  * eigenvalues are left on the diagonal of m. */
@@ -68,11 +71,22 @@ static void principal(const struct sph_scene *scene, struct sph_vec *right, stru
                      to_eye->x * right->y - to_eye->y * right->x);
 }
 
-/* Middle of the extent of the spheres along the axis. */
+/* What is to be seen: spheres, then corners of triangles, whose radius is 0. */
+static uint64_t count(const struct sph_scene *scene) {
+    return scene->n_spheres + 3 * (uint64_t)scene->n_facets;
+}
+
+static struct sph_vec ball(const struct sph_scene *scene, uint64_t i, double *rad) {
+    uint64_t k = i - scene->n_spheres;
+    *rad = i < scene->n_spheres ? scene->spheres[i].rad : 0;
+    return i < scene->n_spheres ? scene->spheres[i].ctr : scene->facets[k / 3].v[k % 3];
+}
+
+/* Middle of its extent along the axis. */
 static double middle(const struct sph_scene *scene, struct sph_vec axis) {
-    double low = INFINITY, high = -INFINITY;
-    for (uint32_t i = 0; i < scene->n_spheres; i++) {
-        double along = sph_vec_dot(scene->spheres[i].ctr, axis), rad = scene->spheres[i].rad;
+    double low = INFINITY, high = -INFINITY, rad;
+    for (uint64_t i = 0; i < count(scene); i++) {
+        double along = sph_vec_dot(ball(scene, i, &rad), axis);
         low = fmin(low, along - rad);
         high = fmax(high, along + rad);
     }
@@ -85,35 +99,63 @@ static struct sph_vec combine(struct sph_vec a, double na, struct sph_vec b, dou
                       na * a.z + nb * b.z + nc * c.z);
 }
 
-void sph_scene_frame(struct sph_scene *scene) {
-    struct sph_vec right, up, to_eye;
-    principal(scene, &right, &up, &to_eye);
+/* Camera and lights as far as there are none. */
+static void look(struct sph_scene *scene, struct sph_vec right, struct sph_vec up,
+                 struct sph_vec to_eye) {
     const double x0 = middle(scene, right), y0 = middle(scene, up), z0 = middle(scene, to_eye);
     const double tall = ANGLE / 360 * M_PI;
     const double wide = atan(tan(tall) * scene->camera.width / scene->camera.height);
     double dist = 0;
     /* A sphere is below the plane through the eye at half angle h if
      * (dist - z) sin h - y cos h >= rad. */
-    for (uint32_t i = 0; i < scene->n_spheres; i++) {
-        const struct sph_sphere *s = &scene->spheres[i];
-        double x = fabs(sph_vec_dot(s->ctr, right) - x0), y = fabs(sph_vec_dot(s->ctr, up) - y0);
-        double z = sph_vec_dot(s->ctr, to_eye) - z0;
-        dist = fmax(dist, z + (x * cos(wide) + s->rad) / sin(wide));
-        dist = fmax(dist, z + (y * cos(tall) + s->rad) / sin(tall));
+    for (uint64_t i = 0; i < count(scene); i++) {
+        double rad;
+        const struct sph_vec c = ball(scene, i, &rad);
+        double x = fabs(sph_vec_dot(c, right) - x0), y = fabs(sph_vec_dot(c, up) - y0);
+        double z = sph_vec_dot(c, to_eye) - z0;
+        dist = fmax(dist, z + (x * cos(wide) + rad) / sin(wide));
+        dist = fmax(dist, z + (y * cos(tall) + rad) / sin(tall));
     }
     dist *= MARGIN;
-    scene->camera.from = combine(right, x0, up, y0, to_eye, z0 + dist);
-    scene->camera.at = combine(right, x0, up, y0, to_eye, z0);
-    scene->camera.up = up;
-    scene->camera.angle = ANGLE;
-    scene->camera.hither = 0.01;
     for (int i = 0; i < 3; i++) {
         scene->ambient[i] = 0.15;
         scene->background[i] = 0.03125 * (i + 2);
     }
     struct sph_vec key = combine(right, x0 - dist / 2, up, y0 + dist / 2, to_eye, z0 + dist);
     struct sph_vec fill = combine(right, x0 + dist, up, y0, to_eye, z0 + dist / 2);
-    scene->n_lights = 2;
-    scene->lights[0] = (struct sph_light){key, {0.9, 0.9, 0.85}, 0};
-    scene->lights[1] = (struct sph_light){fill, {0.3, 0.3, 0.35}, 0};
+    if (!scene->n_lights) {
+        scene->n_lights = 2;
+        scene->lights[0] = (struct sph_light){key, {0.9, 0.9, 0.85}, 0};
+        scene->lights[1] = (struct sph_light){fill, {0.3, 0.3, 0.35}, 0};
+    }
+    if (scene->camera.angle > 0) return;
+    scene->camera.from = combine(right, x0, up, y0, to_eye, z0 + dist);
+    scene->camera.at = combine(right, x0, up, y0, to_eye, z0);
+    scene->camera.up = up;
+    scene->camera.angle = ANGLE;
+    scene->camera.hither = 0.01;
+}
+
+void sph_scene_frame(struct sph_scene *scene) {
+    struct sph_vec right, up, to_eye;
+    principal(scene, &right, &up, &to_eye);
+    look(scene, right, up, to_eye);
+}
+
+static struct sph_vec unit(struct sph_vec v) {
+    double length = sph_vec_length(v), by = length > 0 ? 1 / length : 1;
+    return sph_vec_of(by * v.x, by * v.y, by * v.z);
+}
+
+void sph_scene_frame_mesh(struct sph_scene *scene, char axis) {
+    const struct sph_camera *c = &scene->camera;
+    struct sph_vec up = sph_vec_of(axis == 'x', axis == 'y', axis == 'z');
+    /* The front is +z if y is up, -y if z is up, +y if x is up: the left hand of whoever looks from
+     * there is -x, or -z. */
+    struct sph_vec front = axis == 'x'   ? sph_vec_of(TALL, SIDE, 1)
+                           : axis == 'y' ? sph_vec_of(SIDE, TALL, 1)
+                                         : sph_vec_of(SIDE, -1, TALL);
+    if (c->angle > 0) front = sph_vec_sub(c->from, c->at), up = c->up;
+    struct sph_vec to_eye = unit(front), right = unit(sph_vec_cross(up, to_eye));
+    look(scene, right, sph_vec_cross(to_eye, right), to_eye);
 }

@@ -28,16 +28,27 @@ int sph_scene_read(const char *text, const struct sph_read_options *options,
     FILE *file = sph_input_open(path, SPH_INPUT_ANY, err);
     if (!file) return -1;
     enum sph_file_kind kind = sph_aff_is(path) ? SPH_FILE_AFF : sph_file_kind(path, &looks);
+    if (options && options->camera && !sph_importable(kind)) {
+        fclose(file);
+        return sph_fail(err, "%s: --camera %.80s: only glTF has cameras to choose from", path,
+                        options->camera);
+    }
     if (kind == SPH_FILE_NFF) return sph_nff_read(file, path, section, options, scene, err);
     fclose(file);
     if (section)
         return sph_fail(err, "%s: only NFF files have several scenes; there is no `%.100s`", path,
                         section);
     if (kind == SPH_FILE_AFF) return sph_aff_read(path, options, scene, err);
-    if (sph_importable(kind))
-        return sph_import(path, kind,
-                          &(struct sph_import_options){.strict = options && options->strict}, scene,
-                          err);
+    if (sph_importable(kind)) {
+        struct sph_import_options o = {0};
+        if (options)
+            o = (struct sph_import_options){.strict = options->strict,
+                                            .skip = options->skip_unsupported,
+                                            .camera = options->camera,
+                                            .radius = options->radius,
+                                            .up = options->up};
+        return sph_import(path, kind, &o, scene, err);
+    }
     return sph_fail(err, "%s: is %s, no scene", path, looks);
 }
 

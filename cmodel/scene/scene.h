@@ -85,6 +85,7 @@ struct sph_facet {
     uint32_t group;      /* facets of one polygon have the same; from 0, rising */
     uint32_t frustum;    /* index into frusta + 1, 0: of none */
     uint32_t line;       /* of the file, for messages; 0 if generated */
+    uint32_t read;       /* what its record counts as in the ledger, 0: not known */
 };
 
 /* What a ring of triangles was made of (frustum.h); a negative radius: seen from inside. */
@@ -125,6 +126,9 @@ struct sph_read_options {
     uint32_t at;          /* frame that primitives and camera are moved to (motion.h, aff.h) */
     int timed;            /* of AFF: at this time, whatever the frame */
     double time;
+    const char *camera;                  /* of a mesh: by name or number; NULL: the first */
+    double radius;                       /* of points without one, see import.h */
+    char up;                             /* of a mesh: 'x', 'y', 'z'; 0: as its format has it */
     const struct sph_progress *progress; /* NULL, or who is told how much of the file is read */
 };
 

@@ -43,7 +43,9 @@ enum {
     KEY_FRAMES,
     KEY_SKIP,
     KEY_ROUND,
-    KEY_STRICT
+    KEY_STRICT,
+    KEY_CAMERA,
+    KEY_UP
 };
 
 static const struct argp_option gen_options[] = {
@@ -66,15 +68,20 @@ static const struct argp_option import_options[] = {
     {"output", 'o', "FILE.nff", 0, "scene to write (default: standard output)", 0},
     {"resolution", KEY_RESOLUTION, "WxH", 0, "frame in pixels (320x180; AFF: the scene's)", 0},
     {"strict", KEY_STRICT, NULL, 0, "what is not used as it stands is an error", 0},
-    {NULL, 0, NULL, 0, "Molecules and points:", 1},
-    {"radius", KEY_RADIUS, "R", 0, "of points whose table has none (1)", 1},
+    {NULL, 0, NULL, 0, "Molecules, points and meshes:", 1},
+    {"radius", KEY_RADIUS, "R", 0,
+     "of points without one (tables 1; meshes without faces: by their number)", 1},
+    {"camera", KEY_CAMERA, "NAME|N", 0, "of glTF: the camera of that name or number (the first)",
+     1},
+    {"up", KEY_UP, "x|y|z", 0, "of meshes without a camera: the axis that is up (y, of STL z)", 1},
     {"water", KEY_WATER, NULL, 0, "keep water molecules", 1},
     {"elements", KEY_ELEMENTS, "FILE", 0, "radii and colours (" SPH_ELEMENTS_PATH ")", 1},
+    {"skip-unsupported", KEY_SKIP, NULL, 0,
+     "leave out what is not supported, and materials and images of a mesh that are not there", 0},
     {NULL, 0, NULL, 0, "AFF:", 2},
     {"at", KEY_AT, "N", 0, "frame of the animation, 0 (default) to 65535", 2},
     {"time", KEY_TIME, "T", 0, "time of the animation, in its own unit, not a frame", 2},
     {"frames", KEY_FRAMES, "A..B", 0, "these frames; their numbers go before .nff", 2},
-    {"skip-unsupported", KEY_SKIP, NULL, 0, "leave out what is not supported", 2},
     {"round", KEY_ROUND, "E", 0, "of cones, as of build", 2},
     {0},
 };
@@ -152,6 +159,16 @@ static error_t parse_import(int key, char *arg, struct argp_state *state) {
         a->import.radius = real(state, "--radius", arg);
         a->import_option = "radius";
         return 0;
+    case KEY_CAMERA:
+        a->import.camera = arg;
+        a->import_option = "camera";
+        return 0;
+    case KEY_UP:
+        if (strlen(arg) != 1 || !strchr("xyz", *arg))
+            argp_error(state, "--up: '%s' is none of x, y, z", arg);
+        a->import.up = *arg;
+        a->import_option = "up";
+        return 0;
     case KEY_AT:
         a->aff.read.at = (uint32_t)tool_number(state, "--at", arg, 0, SPH_MAX_FRAME);
         break;
@@ -163,8 +180,8 @@ static error_t parse_import(int key, char *arg, struct argp_state *state) {
         tool_frames_parse(state, arg, &a->aff.frames);
         break;
     case KEY_SKIP:
-        a->aff.read.skip_unsupported = 1;
-        break;
+        a->aff.read.skip_unsupported = a->import.skip = 1;
+        return 0;
     case KEY_ROUND:
         a->aff.read.round =
             tool_real(state, "--round", arg, SPH_FRUSTUM_ROUND_MIN, SPH_FRUSTUM_ROUND_MAX);
@@ -237,8 +254,8 @@ int tool_import(int argc, char **argv) {
         parse_import,
         "FILE",
         "Makes a scene of a molecule, a sphere for every atom (PDB, mmCIF, XYZ); of a table of "
-        "points (CSV: columns x, y, z and r); or of an AFF scene as it stands at a frame or a "
-        "time.",
+        "points (CSV: columns x, y, z and r); of a mesh (OBJ, PLY, STL, glTF, GLB); or of an AFF "
+        "scene as it stands at a frame or a time.",
         NULL,
         NULL,
         NULL};
@@ -251,7 +268,7 @@ int tool_import(int argc, char **argv) {
     const char *wrong = aff ? a.import_option : a.aff_option;
     if (wrong) {
         sph_fail(&err, "%s: --%s is for %s", a.what, wrong,
-                 aff ? "molecules and points" : "AFF scenes");
+                 aff ? "molecules, points and meshes" : "AFF scenes");
         return tool_failed(&err);
     }
     if (aff) {
@@ -267,8 +284,8 @@ int tool_import(int argc, char **argv) {
     fclose(probe);
     enum sph_file_kind kind = sph_file_kind(a.what, &looks);
     if (!sph_importable(kind)) {
-        sph_fail(&err, "%s: is %s, no molecule, table of points or AFF scene%s", a.what, looks,
-                 kind == SPH_FILE_NFF ? " (`build` and `render` take NFF)" : "");
+        sph_fail(&err, "%s: is %s, no molecule, table of points, mesh or AFF scene%s", a.what,
+                 looks, kind == SPH_FILE_NFF ? " (`build` and `render` take NFF)" : "");
         return tool_failed(&err);
     }
     if (sph_import(a.what, kind, &a.import, &scene, &err)) return tool_failed(&err);

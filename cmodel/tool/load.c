@@ -86,6 +86,8 @@ int tool_build_scene(const struct tool_source *source, const struct sph_scene *s
     built->from_scene = 1;
     o.mips = mips;
     if (tool_frame_size(source, scene, &o, err)) return -1;
+    char tree_why[sizeof report->tree_why];
+    sph_measure_trees(scene, &o, tree_why, sizeof tree_why);
     int (*build)(const struct sph_scene *, struct sph_build_options *, int,
                  const struct sph_error_bound *, struct sph_profile_choice *, struct sph_machine *,
                  struct sph_build_report *, struct sph_error *) =
@@ -93,6 +95,7 @@ int tool_build_scene(const struct tool_source *source, const struct sph_scene *s
     if (build(scene, &o, source->profile_auto, &source->bound, &choice, &built->machine, report,
               err))
         return -1;
+    if (tree_why[0]) memcpy(report->tree_why, tree_why, sizeof tree_why);
     built->picture = choice.of[choice.taken];
     if (source->profile_auto)
         sph_choose_why(&choice, &source->bound, built->profile_why, sizeof built->profile_why);

@@ -1,6 +1,8 @@
 /* options_scene.c - the options of every command that draws or builds a scene
  * SPDX-License-Identifier: Apache-2.0
  */
+#include <string.h>
+
 #include "scene/frustum.h"
 #include "scene/motion.h"
 #include "scene/window.h"
@@ -18,7 +20,10 @@ enum {
     KEY_STRICT,
     KEY_SHIFT,
     KEY_EYE,
-    KEY_WALL
+    KEY_WALL,
+    KEY_CAMERA,
+    KEY_RADIUS,
+    KEY_UP
 };
 
 static const struct argp_option options[] = {
@@ -43,9 +48,15 @@ static const struct argp_option options[] = {
     {"at", KEY_AT, "N", 0, "frame that moving primitives are moved to, 0 (default) to 65535", 1},
     {"time", KEY_TIME, "T", 0, "of AFF: the scene at this time of its own, not at a frame", 1},
     {"skip-unsupported", KEY_SKIP, NULL, 0,
-     "leave out what is neither sphere, polygon, cone nor plane (patches) instead of refusing the "
-     "scene",
+     "leave out what is neither sphere, polygon, cone nor plane (patches), and materials and "
+     "images "
+     "of a mesh that are not there, instead of refusing the scene",
      1},
+    {"camera", KEY_CAMERA, "NAME|N", 0, "of glTF: the camera of that name or number (the first)",
+     1},
+    {"radius", KEY_RADIUS, "R", 0,
+     "of points without one (tables 1; meshes without faces: by their number)", 1},
+    {"up", KEY_UP, "x|y|z", 0, "of meshes without a camera: the axis that is up (y, of STL z)", 1},
     {"strict", KEY_STRICT, NULL, 0,
      "whatever of the scene is not used as it stands is an error, which names file and line", 1},
     {"round", KEY_ROUND, "E", 0,
@@ -103,6 +114,17 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         break;
     case KEY_STRICT:
         s->read.strict = 1;
+        break;
+    case KEY_CAMERA:
+        s->read.camera = arg;
+        break;
+    case KEY_RADIUS:
+        s->read.radius = tool_real(state, "--radius", arg, 1e-9, 1e9);
+        break;
+    case KEY_UP:
+        if (strlen(arg) != 1 || !strchr("xyz", *arg))
+            argp_error(state, "--up: '%s' is none of x, y, z", arg);
+        s->read.up = *arg;
         break;
     case KEY_SKIP:
         s->read.skip_unsupported = 1;

@@ -63,12 +63,6 @@ int sph_bih_cut(const struct sph_bih_ray *b, const struct sph_ray *ray, int axis
 
 /* ---- box ---- */
 
-enum {
-    BEYOND = SPH_BIH_NO_BOUND + 1,            /* above all T-words */
-    FRAME_T = SPH_BOX_CODES << SPH_BOX_CROSS, /* above those of a frame */
-    EXACT = SPH_BIH_G - 3,                    /* mant + 2 <= mant (1 + 2^-EXACT) */
-};
-
 int32_t sph_box_depth(uint32_t time) {
     int shift = sph_bit_length(time) - (SPH_BOX_NEAR + 1);
     if (shift < 0) return (int32_t)time;
@@ -89,9 +83,9 @@ void sph_box_axes(const struct sph_profile *p, const struct sph_bih_ray *bih,
             x->negative ? ray->org[i] - org - ((int64_t)SPH_BOX_CODES << s) : org - ray->org[i];
         v = (int64_t)((uint64_t)v << spare) >> spare;
         int64_t at = v * x->mant >> shift;
-        if (at < -FRAME_T) at = -FRAME_T;
-        if (at > BEYOND) at = BEYOND;
-        int32_t begin = (int32_t)at, rest = begin >> EXACT;
+        if (at < -SPH_BOX_FRAME_T) at = -SPH_BOX_FRAME_T;
+        if (at > SPH_BOX_BEYOND) at = SPH_BOX_BEYOND;
+        int32_t begin = (int32_t)at, rest = begin >> SPH_BOX_EXACT;
         int fine = shift - s > SPH_BOX_FINE ? SPH_BOX_FINE : 0;
         int32_t step = (int32_t)((uint64_t)x->mant >> (shift - s - fine));
         axes[i] = (struct sph_box_axis){
@@ -114,13 +108,13 @@ int sph_box_meets(const struct sph_box_axis axes[3], const struct sph_ray *ray,
         int lo = planes->lo[i], hi = planes->hi[i], end = SPH_BOX_CODES - 1;
         int32_t enter = x->enter + ((x->back ? end - hi : lo) * x->step >> x->fine);
         int32_t leave = x->leave + ((x->back ? end - lo : hi) * (x->step + 2) >> x->fine);
-        if (x->flat) enter |= BEYOND; /* what is below 0 stays so */
-        if (x->open) leave |= BEYOND;
+        if (x->flat) enter |= SPH_BOX_BEYOND; /* what is below 0 stays so */
+        if (x->open) leave |= SPH_BOX_BEYOND;
         if (enter > first) first = enter;
         if (leave < last) last = leave;
     }
     *near = sph_box_depth((uint32_t)first & SPH_BIH_NO_BOUND);
-    int pass = first <= last && first < BEYOND && *near <= depth_max;
+    int pass = first <= last && first < SPH_BOX_BEYOND && *near <= depth_max;
     SPH_NOTE(ray->stages, SPH_STAGE_BOX, 0, SPH_THREE(planes->lo), SPH_THREE(planes->hi), *near,
              depth_max, pass);
     return pass;

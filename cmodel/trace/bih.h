@@ -68,6 +68,12 @@ struct sph_box_axis {
     int open;      /* planes that are not behind its origin do not bound it from above */
 };
 
+enum {
+    SPH_BOX_BEYOND = SPH_BIH_NO_BOUND + 1,            /* above all T-words */
+    SPH_BOX_FRAME_T = SPH_BOX_CODES << SPH_BOX_CROSS, /* above those of a frame */
+    SPH_BOX_EXACT = SPH_BIH_G - 3,                    /* mant + 2 <= mant (1 + 2^-EXACT) */
+};
+
 /* The depth of a T-word, u15: rises with it, 0 for 0. */
 int32_t sph_box_depth(uint32_t time);
 

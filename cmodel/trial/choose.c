@@ -7,7 +7,11 @@
 #include <string.h>
 
 #include "builder/emit.h"
+#include "builder/tree/choose_tree.h"
+#include "trial/cycles.h"
 #include "trial/help.h"
+#include "trial/known.h"
+#include "validate/describe.h"
 
 /* ---- in words ---- */
 
@@ -68,6 +72,47 @@ int sph_choose(const struct sph_scene *scene, struct sph_build_options *o,
     }
     o->profile = choice->taken;
     return 0;
+}
+
+/* ---- the tree ---- */
+
+/* Clocks a pixel in a tree, and cells of its core; 0, or -1 if one is not known. */
+static int cost_of(const struct sph_scene *scene, const struct sph_build_options *o, int tree,
+                   double *clocks, int *cells) {
+    enum { PIXELS = 1 << 12 };
+    struct sph_build_options mine = *o;
+    struct sph_build_report report;
+    struct sph_machine m;
+    struct sph_error err;
+    char core[256];
+    mine.tree = tree;
+    mine.numbers = NULL;
+    if (sph_build(scene, &mine, &m, &report, &err)) return -1;
+    const struct sph_core_sizes sizes = sph_core_sizes_of(&m);
+    *clocks = sph_cycles_expect(&m, &sizes, PIXELS, 0).pixel;
+    sph_machine_core(&m, core, sizeof core);
+    *cells = sph_known_core(m.profile.name, core, 1).lut4eq;
+    sph_machine_free(&m);
+    return *clocks > 0 && *cells ? 0 : -1;
+}
+
+void sph_measure_trees(const struct sph_scene *scene, struct sph_build_options *o, char *why,
+                       size_t size) {
+    static const int trees[] = {SPH_TREE_REINSERTED, SPH_TREE_BOX4};
+    const double keep = 0.75; /* of the cost of the tree by rule */
+    uint64_t n = (uint64_t)scene->n_spheres + scene->n_facets;
+    double clocks[2];
+    int cells[2], rule = sph_tree_of(scene, o) == SPH_TREE_BOX4;
+    why[0] = 0;
+    if (o->tree != SPH_TREE_AUTO || o->traverse != SPH_BUILD_NEAREST) return;
+    if (!n || n > SPH_TREES_PRIMS) return;
+    for (int i = 0; i < 2; i++)
+        if (cost_of(scene, o, trees[i], &clocks[i], &cells[i])) return;
+    double cost[2] = {clocks[0] * cells[0], clocks[1] * cells[1]};
+    int taken = cost[!rule] < keep * cost[rule] ? !rule : rule;
+    o->tree = trees[taken];
+    snprintf(why, size, "%.4g clocks a pixel in spheres, %.4g in boxes, whose core has %.2f cells",
+             clocks[0], clocks[1], (double)cells[1] / cells[0]);
 }
 
 int sph_build_chosen(const struct sph_scene *scene, struct sph_build_options *o, int choose,

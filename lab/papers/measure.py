@@ -27,6 +27,11 @@ SEARCH = ["--tree", "paper", "--traverse", "first", "--interpenetrate", "off", "
           "--shadow", "off"]
 FIRST = ["--tree", "paper", "--traverse", "first", "--interpenetrate"]
 CORRECTED = {"nearest": [], "first": [*FIRST, "off"], "mended": [*FIRST, "on"]}
+# frames of which the view meets a corner, by SHIFTED heights, against their part of a picture of
+# twice the width and three times the height, in which it meets the middle; how often they are tried
+MOVED = {"oblique": "scenes/oblique.nff", "paper100": "scenes/paper100.nff",
+         "room": "scenes/facets/room.nff", "water": "scenes/refraction/water.nff"}
+SHIFTED, MOVED_SIZE = (1 / 4, 1 / 3), (320, 180)
 # one core for the three parts of the paper's machine; its frame has 160x90 pixels
 PARTS, PARTS_CORE = ["paper5", "paper100"], "shadow+reflect2+lights1+inside"
 DEPTHS = [0, 1, 2]
@@ -136,6 +141,35 @@ def shapes(run):
                      "48x27")
 
 
+def moved(run):
+    """An oblique frustum: the model by the registers of its first ray, the double reference as a
+    part of a picture that is none, and the RTL beside the model."""
+    width, height = MOVED_SIZE
+    left, top = width // 2 + round(SHIFTED[0] * height), height - round(SHIFTED[1] * height)
+    aside = "--shift", ",".join(map(repr, SHIFTED))
+    for name, scene in MOVED.items():
+        path, cut, picture = (run.path(f"moved-{name}{part}") for part in
+                              ("-wide.nff", "-part.ppm", ".ppm"))
+        if not run.fresh(f"moved-{name}.psnr"):
+            wide = path.replace(".nff", ".ppm")
+            intact.write(path, scenes.wider(scene, 3))
+            run.keep("moved-" + name, "render", scene, "--profile", "standard", *aside, "--size",
+                     f"{width}x{height}", "--transfer", "linear", "-o", picture)
+            run.run("reference", path, "--size", f"{2 * width}x{3 * height}", "--transfer",
+                    "linear", "-o", wide)
+            subprocess.run(["oiiotool", wide, "--cut", f"{width}x{height}+{left}+{top}", "-o",
+                            cut], check=True)
+            intact.write(run.path(f"moved-{name}.psnr"), f"{psnr(cut, picture):.2f}\n")
+        straight = run.path(f"straight-{name}.ppm")
+        if not run.fresh(f"straight-{name}.psnr"):
+            view = ["--size", f"{width}x{height}", "--transfer", "linear", "-o"]
+            plain = run.made(f"straight-{name}", scenes.wider(scene, 1).split("\n"))
+            run.run("render", plain, "--profile", "standard", *view, straight)
+            run.run("reference", plain, *view, cut)
+            intact.write(run.path(f"straight-{name}.psnr"), f"{psnr(cut, straight):.2f}\n")
+    run.core("moved-oblique", PARTS_CORE, MOVED["oblique"], "--size", "64x36")
+
+
 def parts(run):
     """Rendering, L1 and L2: frames of one depth each, by one core."""
     for scene in PARTS:
@@ -229,7 +263,7 @@ def profile(run):
                      f"{100 * spent['sph_traverse'] / spent['sph_render']:.0f}\n")
 
 
-PARTS_OF = {part.__name__: part for part in (operations, search, corrected, shapes, parts, bounces,
+PARTS_OF = {part.__name__: part for part in (operations, search, corrected, shapes, moved, parts, bounces,
                                              bases, leaves, ways, scenarios, profile)}
 
 

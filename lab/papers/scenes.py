@@ -3,6 +3,7 @@
 """Each function returns the lines of an NFF file."""
 import math
 import os
+import re
 
 HEAD = """v
 from 0 0 {eye}
@@ -109,3 +110,14 @@ def replaced(path, shape):
                 lines.append(f"p {len(face)}")
                 lines += [f"{a:.9g} {b:.9g} {c:.9g}" for a, b, c in (at[i] for i in face)]
     return lines
+
+
+def wider(path, times):
+    """A scene whose view meets the middle of the picture, of so many times the height."""
+    with open(path, encoding="utf-8") as f:
+        text = re.sub(r"(?m)^shift .*\n", "", f.read())
+
+    def angle(said):
+        half = math.atan(times * math.tan(math.radians(float(said[2]) / 2)))
+        return said[1] + (repr(2 * math.degrees(half)) if times != 1 else said[2])
+    return re.sub(r"\b(angle )([0-9.]+)", angle, text, count=1)

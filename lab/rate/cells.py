@@ -10,7 +10,7 @@ from ..pages.place import place
 from ..runner import said
 from ..synth import report, results
 
-COLUMNS = ["mult", "lut4eq_ram", "ff", "bram"]
+COLUMNS = ["mult", "places", "ff", "bram"]
 DEVICE = ["LFE5U-85F has", 156, 83640, 83640, 208]  # its data sheet
 
 

@@ -1,230 +1,20 @@
-# liberty.py - reads what a standard-cell library says of its cells: the Liberty format
+# liberty.py - what a standard-cell library says of its cells
 # SPDX-License-Identifier: Apache-2.0
-"""read(path) gives a Library. What is wrong in a file raises Bad, which names file and line. Groups
-that nobody here asks for are read past, whatever they hold; those of cells are held to what they
-promise: a table has as many values as its axes, a function names pins of its cell."""
+"""read(path) gives a Library. What is wrong in the file raises Bad, which names file and line.
+Groups that nobody here asks for are read past, whatever they hold; those of cells are held to what
+they promise: a table has as many values as its axes, a function names pins of its cell."""
 import bisect
 import re
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cached_property
-from pathlib import Path
 from typing import Optional
 
+from .function import Function
+from .liberty_text import Bad, Reader
 
-class Bad(Exception):
-    """A library that cannot be read: file, line, why."""
-
-
-# ---- text ----
-TOKEN = re.compile(r"""
-    (?P<space> (?: \s | \\\s*\n | /\*.*?\*/ | //[^\n]* )+ )
-  | "(?P<text> [^"]* )"
-  | (?P<mark> [(){}:;,] )
-  | (?P<word> [^\s(){}:;,"\\]+ )
-""", re.X | re.S)
+__all__ = ["Bad", "read"]
 
 
-@dataclass
-class Group:
-    """kind (words) { values and groups }. A value is a list of words: those behind a colon, or
-    between parentheses."""
-    kind: str
-    words: list
-    line: int
-    values: dict = field(default_factory=dict)      # {name: (words, line)}, the last of each name
-    groups: list = field(default_factory=list)
-
-    @property
-    def name(self):
-        return self.words[0] if self.words else ""
-
-    def all(self, *kinds):
-        return [group for group in self.groups if group.kind in kinds]
-
-
-class Reader:
-    """The groups of a file."""
-
-    def __init__(self, path):
-        self.path = path
-        try:
-            self.source = Path(path).read_text(encoding="utf-8", errors="replace")
-        except OSError as error:
-            raise Bad(f"{path}: {error.strerror}") from error
-        self.at, self.line = 0, 1
-        self.token, self.is_text, self.token_line = "", False, 1
-        self.take()
-
-    def bad(self, line, why):
-        return Bad(f"{self.path}:{line}: {why}")
-
-    def take(self):
-        """The token that was ahead; "" at the end of the file."""
-        taken = self.token
-        while True:
-            self.token_line = self.line
-            if self.at >= len(self.source):
-                self.token, self.is_text = "", False
-                return taken
-            match = TOKEN.match(self.source, self.at)
-            if not match:
-                raise self.bad(self.line, "a text without its second quote"
-                               if self.source[self.at] == '"' else
-                               f"{self.source[self.at]!r} is of no use here")
-            self.at = match.end()
-            self.line += match[0].count("\n")
-            if match.lastgroup != "space":
-                self.token, self.is_text = match[match.lastgroup], match.lastgroup == "text"
-                return taken
-
-    def is_mark(self, mark):
-        return self.token == mark and not self.is_text
-
-    def need(self, mark, behind):
-        if not self.is_mark(mark):
-            raise self.bad(self.token_line, f"{mark!r} is missing behind {behind}"
-                           + (f", there is {self.token!r}" if self.token else
-                              ": the file ends here"))
-        self.take()
-
-    def words(self, name):
-        """Between parentheses."""
-        found = []
-        while not self.is_mark(")"):
-            if not self.token and not self.is_text:
-                raise self.bad(self.token_line, f"{name} ( has no ')': the file ends here")
-            if self.token in ("{", "}", ";") and not self.is_text:
-                raise self.bad(self.token_line, f"{name} ( has no ')'")
-            word = self.take()
-            if word != ",":
-                found.append(word)
-        self.take()
-        return found
-
-    def value(self, name):
-        """Behind a colon, to the end of its line or a semicolon."""
-        found, line = [], self.token_line
-        while self.token_line == line and (self.token or self.is_text) \
-                and not (self.token in ("}", ";") and not self.is_text):
-            found.append(self.take())
-        if not found:
-            raise self.bad(line, f"{name} has no value")
-        return found
-
-    def group(self, kind, words, line):
-        """What is between braces; the first is taken already."""
-        found = Group(kind, words, line)
-        while not self.is_mark("}"):
-            if self.is_mark(";"):
-                self.take()
-                continue
-            name, at = self.token, self.token_line
-            if not name:
-                raise self.bad(at, f"the file ends inside of {kind} "
-                               f"{found.name or ''}".rstrip() + f", which began in line {line}")
-            if self.is_text or name in "(){}:,":
-                raise self.bad(at, f"{name!r} stands where a name should")
-            self.take()
-            if self.is_mark(":"):
-                self.take()
-                found.values[name] = self.value(name), at
-                continue
-            self.need("(", name)
-            inside = self.words(name)
-            if self.is_mark("{"):
-                self.take()
-                found.groups.append(self.group(name, inside, at))
-            else:
-                found.values[name] = inside, at
-        self.take()
-        return found
-
-    def library(self):
-        if self.token != "library":
-            raise self.bad(self.token_line, "a library is expected, there is "
-                           f"{self.token!r}" if self.token else "the file has no library")
-        line = self.token_line
-        self.take()
-        self.need("(", "library")
-        words = self.words("library")
-        self.need("{", f"library ({' '.join(words)})")
-        return self.group("library", words, line)
-
-
-# ---- functions ----
-SYMBOL = re.compile(r"\s*([A-Za-z_]\w*(?:\[\d+\])?|[01]|[!'^*&+|()])")
-
-
-class Function:
-    """A Boolean function of pins: ! and ' invert, * & or nothing between is and, + | is or, ^ is
-    exclusive or. code: C and Python alike, of bits with 1 and 0."""
-
-    def __init__(self, text):
-        self.text, self.pins = text, []
-        self.symbols, at = [], 0
-        while text[at:].strip():
-            match = SYMBOL.match(text, at)
-            if not match:
-                raise ValueError(f"{text[at:].strip()[0]!r} in a function")
-            self.symbols.append(match[1])
-            at = match.end()
-        self.symbols.append("")
-        self.code = self.either()
-        if self.symbols[0]:
-            raise ValueError(f"{self.symbols[0]!r} is too much")
-
-    def either(self):
-        code = self.both()
-        while self.symbols[0] in ("+", "|"):
-            self.symbols.pop(0)
-            code = f"({code} | {self.both()})"
-        return code
-
-    def both(self):
-        code = self.differ()
-        while self.symbols[0] in ("*", "&") or self.symbols[0] and self.symbols[0] not in "+|)^'":
-            if self.symbols[0] in ("*", "&"):
-                self.symbols.pop(0)
-            code = f"({code} & {self.differ()})"
-        return code
-
-    def differ(self):
-        code = self.single()
-        while self.symbols[0] == "^":
-            self.symbols.pop(0)
-            code = f"({code} ^ {self.single()})"
-        return code
-
-    def single(self):
-        symbol = self.symbols.pop(0)
-        if symbol == "!":
-            return f"({self.single()} ^ 1)"
-        if symbol == "(":
-            code = self.either()
-            if self.symbols.pop(0) != ")":
-                raise ValueError("')' is missing")
-        elif symbol and (symbol[0].isalpha() or symbol[0] in "_01"):
-            code = symbol
-            if symbol not in "01" and symbol not in self.pins:
-                self.pins.append(symbol)
-        else:
-            raise ValueError(f"a pin is missing before {symbol!r}" if symbol else
-                             "it ends where a pin should be")
-        while self.symbols[0] == "'":
-            self.symbols.pop(0)
-            code = f"({code} ^ 1)"
-        return code
-
-    @cached_property
-    def compiled(self):
-        return compile(self.code, self.text, "eval")
-
-    def value(self, bits):
-        """Of {pin: 0 or 1}."""
-        return eval(self.compiled, {"__builtins__": {}}, bits)    # pylint: disable=eval-used
-
-
-# ---- what is asked of a library ----
 @dataclass
 class Table:
     """Values over up to two axes; between their points straight, beyond them as at their ends."""
@@ -263,8 +53,14 @@ class Pin:
     capacitance: float                  # pF
     function: Optional[Function]
     three_state: bool
+    clock: bool
     power: list                         # of Power
     slews: list                         # of Table: transition times of an output, ns
+
+    @property
+    def tables(self):
+        """Of all its power, both edges."""
+        return [table for power in self.power for table in (power.rise, power.fall)]
 
 
 @dataclass
@@ -285,6 +81,7 @@ class Cell:
     pins: dict
     register: Optional[Register]
     other: str                          # latch, statetable: what has no model here; or empty
+    gates_clock: str                    # clock_gating_integrated_cell, such as latch_posedge
 
     @property
     def inputs(self):
@@ -293,6 +90,16 @@ class Cell:
     @property
     def outputs(self):
         return [pin for pin in self.pins.values() if pin.direction == "output"]
+
+    @cached_property
+    def truth(self):
+        """Of a function of two pins, its value for 00, 01, 10, 11; of another cell nothing."""
+        out = self.outputs
+        if self.register or self.other or len(out) != 1 or not out[0].function \
+                or len(out[0].function.pins) != 2:
+            return ()
+        of = out[0].function
+        return tuple(of.value(dict(zip(of.pins, (a, b)))) for a in (0, 1) for b in (0, 1))
 
 
 @dataclass
@@ -309,17 +116,8 @@ class Library:
     @cached_property
     def nand2(self):
         """The smallest cell that is !(A B): what gate equivalents are counted in; None: none."""
-        found = [cell for cell in self.cells.values()
-                 if cell.area and is_nand2(cell)]
+        found = [cell for cell in self.cells.values() if cell.area and cell.truth == (1, 1, 1, 0)]
         return min(found, key=lambda cell: cell.area, default=None)
-
-
-def is_nand2(cell):
-    if cell.register or cell.other or len(cell.outputs) != 1 or not cell.outputs[0].function:
-        return False
-    of = cell.outputs[0].function
-    return len(of.pins) == 2 and [of.value(dict(zip(of.pins, bits))) for bits in
-                                  ((0, 0), (0, 1), (1, 0), (1, 1))] == [1, 1, 1, 0]
 
 
 SI = {"f": 1e-15, "p": 1e-12, "n": 1e-9, "u": 1e-6, "m": 1e-3, "": 1.0}
@@ -445,9 +243,10 @@ class Meaning:
                  for part in timing.all("rise_transition", "fall_transition")]
         power = [self.power(part) for part in group.all("internal_power")]
         direction = group.values["direction"][0][0]
+        clock = group.values.get("clock", (["false"], 0))[0][0] == "true"
         return Pin(name, direction, self.number(group, "capacitance", 0.0) * self.pf,
                    self.function(group, "function", known) if direction == "output" else None,
-                   "three_state" in group.values, [part for part in power if part], slews)
+                   "three_state" in group.values, clock, [part for part in power if part], slews)
 
     def cell(self, group):
         pins = group.all("pin")
@@ -471,7 +270,8 @@ class Meaning:
         return Cell(group.name, self.number(group, "area", 0.0),
                     self.number(group, "cell_leakage_power", 0.0) * self.nw,
                     {pin.name: self.pin(pin, names) for pin in pins}, register,
-                    kinds[0] if kinds else "")
+                    kinds[0] if kinds else "",
+                    group.values.get("clock_gating_integrated_cell", ([""], 0))[0][0])
 
     def library(self):
         cells = {}

@@ -1,17 +1,20 @@
 # netlist.py - a flat netlist of Yosys as cells of a library and memories
 # SPDX-License-Identifier: Apache-2.0
-"""read(path, library) gives a Netlist: gates in the order in which they settle, flip-flops, memories
-($mem_v2 of Yosys), ports, and of each the instance that it stands in. One clock, the port clk. A
-cell that has no model, a loop, a net without a driver raise Bad."""
+"""read(path, library) gives a Netlist: gates in the order in which they settle, flip-flops,
+memories ($mem_v2 of Yosys), ports, and of each the instance that it stands in. One clock, the port
+clk, which RT_CLOCK_GATE may stop. A cell that has no model, a loop, a net without a driver raise
+Bad."""
 import json
 import re
 from collections import defaultdict
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Optional
 
 from .liberty import Bad
 
 CLOCK = "clk"
+CLOCK_GATE = "RT_CLOCK_GATE"        # of synth/silicon.sh
 SKIPPED = "$scopeinfo"
 
 
@@ -37,6 +40,14 @@ class Flop:
     inputs: list                # nets of next_state's pins that are pins of the cell
     state: int                  # net of the state, connected or not
     inverted: int               # the other output's net; 0: none
+    owner: str
+    name: str
+    gate: Optional[int]         # number of the gate behind which its clock is; None: no gate
+
+
+@dataclass
+class ClockGate:
+    enable: int                 # net
     owner: str
     name: str
 
@@ -85,16 +96,21 @@ class Netlist:
     ports: dict                 # {name: (direction, nets)}
     gates: list
     flops: list
+    gates_of_clock: list
     memories: list
     cells: dict                 # {liberty cell's name: number}
     placed: list                # of every cell of the library: name, cell, {pin: net}, owner
     modules: dict               # {instance: module}
     clock: int
     nets: int = 0
-    loads: dict = field(default_factory=dict)
+    clocks: dict = field(default_factory=dict)      # {number of a gate of the clock: its output}
 
     def owner_module(self, owner):
         return self.modules.get(owner, self.top)
+
+    def gated_clock(self, gate):
+        """The net behind a gate of the clock."""
+        return self.clocks[gate]
 
     def user_module(self, memory):
         """Of a memory: what the module stands in that is nothing but memory."""
@@ -108,7 +124,7 @@ class Netlist:
 
 
 def instance_of(name):
-    """The instance that a cell stands in, from the top's on: $flatten\\u_a.\\u_b.$abc$1$2: u_a.u_b"""
+    """The instance that a cell stands in; of $flatten\\u_a.\\u_b.$abc$1$2 u_a.u_b"""
     name = name.removeprefix("$flatten")
     path = name.split(".$", maxsplit=1)[0] if ".$" in name else "" if name.startswith("$") else \
         name.rpartition(".")[0]
@@ -138,14 +154,18 @@ class Builder:
                  for name, port in module["ports"].items()}
         if len(ports.get(CLOCK, ("", []))[1]) != 1:
             raise Bad(f"{path}: {tops[0]} has no port {CLOCK}")
-        self.out = Netlist(path, tops[0], ports, [], [], [], defaultdict(int), [], {},
+        self.out = Netlist(path, tops[0], ports, [], [], [], [], defaultdict(int), [], {},
                            ports[CLOCK][1][0])
+        self.clocks = {self.out.clock: None}
         self.fresh = 2 + max((net for _, bits in ports.values() for net in bits), default=1)
         for cell in module["cells"].values():
             for bits in cell["connections"].values():
                 for bit in bits:
                     if isinstance(bit, int) and bit >= self.fresh:
                         self.fresh = bit + 1
+        for name, cell in module["cells"].items():
+            if cell["type"] == CLOCK_GATE:
+                self.clock_gate(name, cell["connections"])
         for name, cell in module["cells"].items():
             self.cell(name, cell)
         self.order()
@@ -164,6 +184,8 @@ class Builder:
 
     def cell(self, name, cell):
         kind = cell["type"]
+        if kind == CLOCK_GATE:
+            return
         if kind == SKIPPED:
             self.out.modules[name] = cell["attributes"].get("module_hdlname", name)
         elif kind == "$mem_v2":
@@ -172,6 +194,14 @@ class Builder:
             raise self.bad(name, f"{self.library.name} has no {kind}")
         else:
             self.of_library(name, self.library.cells[kind], cell["connections"])
+
+    def clock_gate(self, name, connections):
+        pin = {key: self.nets(bits)[0] for key, bits in connections.items()}
+        if pin["clk"] != self.out.clock:
+            raise self.bad(name, f"a gate of another clock than {CLOCK}")
+        self.out.clocks[len(self.out.gates_of_clock)] = pin["gclk"]
+        self.clocks[pin["gclk"]] = len(self.out.gates_of_clock)
+        self.out.gates_of_clock.append(ClockGate(pin["en"], instance_of(name), name))
 
     def of_library(self, name, cell, connections):
         if cell.other or any(pin.three_state for pin in cell.outputs):
@@ -195,7 +225,7 @@ class Builder:
     def flop(self, name, cell, nets, owner):
         register = cell.register
         clock = register.clock
-        if clock.code not in cell.pins or nets.get(clock.code) != self.out.clock:
+        if clock.code not in cell.pins or nets.get(clock.code) not in self.clocks:
             raise self.bad(name, f"{cell.name} is clocked by {clock.text!r}, which is not {CLOCK}'s"
                            " rising edge")
         for when in register.asynchronous:
@@ -216,7 +246,7 @@ class Builder:
         pins = [pin for pin in register.next_state.pins if pin in cell.pins]
         self.out.flops.append(Flop(cell, [nets.get(pin, 0) for pin in pins],
                                    out.get("state") or self.new(), out.get("inverted", 0),
-                                   owner, name))
+                                   owner, name, self.clocks[nets[clock.code]]))
 
     def memory(self, name, cell):
         of = {key: number(value) for key, value in cell["parameters"].items()}

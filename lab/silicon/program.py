@@ -56,7 +56,7 @@ class Layout:
                 self.add(nets)
         self.state = self.count
         self.flops = [list(group) for _, group in groupby(
-            sorted(netlist.flops, key=lambda flop: flop.cell.name), lambda flop: flop.cell.name)]
+            sorted(netlist.flops, key=self.clocked_alike), self.clocked_alike)]
         for group in self.flops:
             self.add(flop.state for flop in group)
         reads = [(memory, read) for memory in netlist.memories for read in memory.reads]
@@ -74,6 +74,10 @@ class Layout:
         self.reads = reads
         self.writes = [(memory, write) for memory in netlist.memories for write in memory.writes]
 
+    @staticmethod
+    def clocked_alike(flop):
+        return flop.cell.name, -1 if flop.gate is None else flop.gate
+
     def add(self, nets):
         for net in nets:
             if net not in self.place:
@@ -84,7 +88,7 @@ class Layout:
         return [self.place.get(net, 0) for net in nets]
 
     def steps(self):
-        """Groups of gates, and memories that are read at once, in the order in which they settle."""
+        """Groups of gates, and reads at once, in the order in which they settle."""
         found = [(key[0], list(group)) for key, group in
                  groupby(self.netlist.gates, key=lambda gate: (gate.level, gate.kind))]
         found += [(memory.level, at) for at, (memory, read) in enumerate(self.reads)
@@ -135,10 +139,15 @@ class Writer:
         for group in self.layout.flops:
             register = group[0].cell.register
             name = self.name(group[0].cell, "", register.next_state, register.state)
-            rows.append(f"{{{name}, {self.columns([flop.inputs for flop in group])}, {at}, "
-                        f"{len(group)}}}")
+            rows.append(f"{{{{{name}, {self.columns([flop.inputs for flop in group])}, {at}, "
+                        f"{len(group)}}}, {self.enable(group[0])}}}")
             at += len(group)
         return rows
+
+    def enable(self, flop):
+        """1: its clock has no gate."""
+        return 1 if flop.gate is None else self.layout.of(
+            [self.layout.netlist.gates_of_clock[flop.gate].enable])[0]
 
     def accesses(self):
         place, numbers = self.layout.place, {id(memory): at for at, memory in
@@ -175,20 +184,22 @@ class Writer:
                  "INVERTED_STATE": layout.inverted_state, "INVERTED": len(layout.inverted),
                  "STEPS": len(steps), "FLOPS": len(flops), "READS": len(reads),
                  "WRITES": len(writes), "MEMORIES": len(memories), "BITS": bits,
-                 "PORTS": len(ports)}
+                 "PORTS": len(ports), "ENABLES": len(layout.netlist.gates_of_clock)}
         uint = "static const uint32_t"
         return "".join(
             ["/* written by lab/silicon/program.py */\n#define STEP_READ 0x80000000U\nenum {\n"]
             + [f"    {name} = {value},\n" for name, value in sizes.items()] + ["};\n"]
             + [code for _, code in self.kernels.values()]
             + [table("static const struct group groups", groups, 4),
-               table(f"{uint} steps", steps), table("static const struct group flops", flops, 4),
+               table(f"{uint} steps", steps), table("static const struct clocked flops", flops, 4),
                table(f"{uint} inputs", self.inputs), table(f"{uint} pins", self.pins),
                table("static const struct access reads", reads, 3),
                table("static const struct access writes", writes, 3),
                table("static const struct memory memories", memories, 3),
                table(f"{uint} inverted_of",
                      layout.of(flop.state for flop in layout.inverted)),
+               table(f"{uint} enables",
+                     layout.of(gate.enable for gate in layout.netlist.gates_of_clock)),
                table("static const struct port ports", ports, 4),
                table(f"{uint} port_nets", port_nets)]
             + ["static const char inits[] =\n"]
@@ -197,7 +208,7 @@ class Writer:
 
 def table(head, rows, line=LINE):
     """An array; one entry of zeros if there is none."""
-    rows = [str(row) for row in rows] or ["{0}" if "struct" in head else "0"]
+    rows = [str(row) for row in rows] or ["0"]
     return f"{head}[] = {{\n" + "".join(
         f"    {', '.join(rows[at:at + line])},\n" for at in range(0, len(rows), line)) + "};\n"
 

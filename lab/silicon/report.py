@@ -18,11 +18,13 @@ LEFT_OUT = ("the clock's tree, wires, glitches (cells have no delay here), DRAM 
 class Toggles:
     """What gates_write() of tb/netlist/gates.h wrote."""
 
-    def __init__(self, path, nets):
+    def __init__(self, path, nets, accesses):
         first, *lines = Path(path).read_text(encoding="utf-8").splitlines()
         self.clocks = [int(n) for n in first.split()[1:]]
         rows = [tuple(map(int, line.split())) for line in lines]
-        self.nets, self.accesses = rows[:nets], rows[nets:]
+        self.nets = rows[:nets]
+        self.accesses = rows[nets:nets + accesses]
+        self.through = rows[nets + accesses:]       # clocks that got through gates
 
 
 def energies(core, toggles):
@@ -36,11 +38,13 @@ def energies(core, toggles):
                 sums[module][1] += internal * count[phase]
         for (energy, module), count in zip(core["accesses"], toggles.accesses):
             sums[module][3] += energy * count[phase]
+        for (energy, module), count in zip(core["clock_gates"], toggles.through):
+            sums[module][2] += energy * count[phase]
         clocks = toggles.clocks[phase]
         found[name] = {module: [value / clocks for value in row]
                        for module, row in zip(core["modules"], sums)}
         for module, clock in core["clock"].items():
-            found[name][module][2] = clock
+            found[name][module][2] += clock
     return found
 
 
@@ -62,7 +66,8 @@ def of_run(core, report, toggles):
         "liberty": core["liberty"], "macros": core["macros"], "pixels": report["pixels"],
         "rays": rays, "cycles": counters["cycles"], "counters": counters,
         "kge": logic / core["nand2"] / 1000, "cells": sum(core["cells"].values()),
-        "flip_flops": core["flip_flops"], "logic_mm2": logic / 1e6,
+        "flip_flops": core["flip_flops"], "clock_gates": len(core["clock_gates"]),
+        "logic_mm2": logic / 1e6,
         "memories": core["memories"],
         "memory_mm2": sum(of["um2"] for of in core["memories"].values()) / 1e6,
         "mhz": mhz, "paths": timing["paths"] if timing else None,
@@ -109,7 +114,8 @@ def lines(found):
     memories = ", ".join(f"{of['bits']} bits in {of['macros']} {kind} macros"
                          for kind, of in found["memories"].items())
     yield (f"cells {found['kge']:.1f} kGE of NAND2, {found['logic_mm2']:.3f} mm2, {found['cells']} "
-           f"cells, {found['flip_flops']} flip-flops in {found['library']}")
+           f"cells, {found['flip_flops']} flip-flops, {found['clock_gates']} gates of the clock in "
+           f"{found['library']}")
     yield f"memories {found['memory_mm2']:.3f} mm2: {memories}, of {found['macros']}"
     if found["mhz"]:
         yield f"clock {found['mhz']:.1f} MHz by OpenSTA, register to register; slowest paths:"
@@ -137,7 +143,8 @@ def main(run, core):
     run, core = Path(run), Path(core)
     known = json.loads((core / "core.json").read_text("utf-8"))
     report = json.loads((run / "report.json").read_text("utf-8"))
-    found = of_run(known, report, Toggles(run / "toggles", len(known["nets"])))
+    found = of_run(known, report, Toggles(run / "toggles", len(known["nets"]),
+                                                 len(known["accesses"])))
     intact.write(run / "silicon.json", json.dumps(found, indent=1) + "\n")
     print("\n".join(lines(found)))
     print(blocks_table(found))

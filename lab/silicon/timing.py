@@ -1,9 +1,9 @@
 # timing.py - static timing of a netlist by OpenSTA, register to register
 # SPDX-License-Identifier: Apache-2.0
 """run(netlist, library, macros, folder) gives {"mhz", "paths"}: the slowest paths, each with its
-delay and the modules that it goes through, which are others than those of slower paths; None if OpenSTA is not there. The clock is ideal, wires
-have no delay, ports are left out. Memories are cells of a library that is written here: their
-access time from address or clock, no setup."""
+delay and the modules that it goes through, which are others than those of slower ones; None if
+OpenSTA is not there. The clock is ideal, wires have no delay, ports are left out. Memories are
+cells of a library that is written here: their access time from address or clock, no setup."""
 import re
 import shutil
 import subprocess
@@ -15,6 +15,15 @@ STA = "sta"
 PERIOD = 100.0      # ns
 LOOKED_AT = 400     # slowest ends of paths
 PATHS = 10          # that are told, each through other modules than the ones before
+ZERO = "".join(f'{edge}_constraint(scalar) {{ values("0.0"); }} ' for edge in ("rise", "fall"))
+GATE = ("cell (rt_clock_gate) { area : 0;\n"
+        "pin (clk) { direction : input; clock : true; capacitance : 0; }\n"
+        'pin (en) { direction : input; capacitance : 0; timing() { related_pin : "clk"; '
+        f"timing_type : setup_rising; {ZERO}}} }}\n"
+        'pin (gclk) { direction : output; timing() { related_pin : "clk"; '
+        "timing_sense : positive_unate; "
+        + "".join(f'{what}(scalar) {{ values("0.0"); }} ' for what in
+                  ("cell_rise", "cell_fall", "rise_transition", "fall_transition")) + "} }\n}\n")
 SCRIPT = """read_liberty {liberty}
 read_liberty {folder}/macros.lib
 read_verilog {folder}/timing.v
@@ -54,10 +63,9 @@ def macro(name, memory, time, capacitance):
                        ("fall_transition", 0.05)))
     text = [f"cell ({name}) {{ area : 0;\n",
             "pin (clk) { direction : input; clock : true; capacitance : 0; }\n"]
-    zero = "".join(f'{edge}_constraint(scalar) {{ values("0.0"); }} ' for edge in ("rise", "fall"))
     for pin, _ in clocked:
         text.append(f"pin ({pin}) {{ direction : input; capacitance : {capacitance:.5f}; timing() "
-                    f'{{ related_pin : "clk"; timing_type : setup_rising; {zero}}} }}\n')
+                    f'{{ related_pin : "clk"; timing_type : setup_rising; {ZERO}}} }}\n')
     for address, data in zip(at_once, out):
         for pin, _ in address:
             text.append(f"pin ({pin}) {{ direction : input; capacitance : {capacitance:.5f}; }}\n")
@@ -86,6 +94,9 @@ def verilog(netlist, folder):
     lines = [f"{cell.name} i{at} (" + ", ".join(f".{pin}({net(number)})" for pin, number in
                                                 nets.items()) + ");\n"
              for at, (_, cell, nets, _) in enumerate(netlist.placed)]
+    lines += [f"rt_clock_gate g{at} (.en({net(gate.enable)}), .clk({net(netlist.clock)}), "
+              f".gclk({net(netlist.gated_clock(at))}));\n"
+              for at, gate in enumerate(netlist.gates_of_clock)]
     for at, memory in enumerate(netlist.memories):
         clocked, at_once, out = macro_pins(memory)
         every = clocked + sum(at_once, []) + sum(out, [])
@@ -99,10 +110,11 @@ def verilog(netlist, folder):
 def through(text, netlist):
     """Modules along a path, in its order."""
     found = []
-    for kind, number in re.findall(r"\b([im])(\d+)/", text):
+    for kind, number in re.findall(r"\b([img])(\d+)/", text):
         at = int(number)
-        module = netlist.owner_module(netlist.placed[at][3] if kind == "i"
-                                      else netlist.memories[at].owner)
+        module = (netlist.owner_module(netlist.placed[at][3]) if kind == "i" else
+                  netlist.user_module(netlist.memories[at]) if kind == "m" else
+                  netlist.owner_module(netlist.gates_of_clock[at].owner))
         if not found or found[-1] != module:
             found.append(module)
     return found
@@ -116,6 +128,7 @@ def run(netlist, library, macros, folder):
                  'time_unit : "1ns"; capacitive_load_unit (1, pf); voltage_unit : "1V"; '
                  'current_unit : "1mA"; leakage_power_unit : "1nW"; '
                  f"nom_voltage : {library.voltage or 1};\n"
+                 + GATE
                  + "".join(macro(f"macro{at}", memory, macros.time(memory), macros.pin(memory))
                            for at, memory in enumerate(netlist.memories)) + "}\n")
     intact.write(folder / "timing.tcl", SCRIPT.format(

@@ -7,7 +7,7 @@ from . import results
 
 
 def read_budget(path):
-    """{module: (multipliers, LUT4eq)}"""
+    """{module: (multipliers, LUT places)}"""
     limits = {}
     with open(path, encoding="utf-8") as lines:
         for number, line in enumerate(lines, 1):
@@ -15,7 +15,7 @@ def read_budget(path):
             if not word:
                 continue
             if len(word) != 3 or not (word[1] + word[2]).isdigit():
-                sys.exit(f"budget: {path}:{number}: not `module MULT18X18D LUT4eq`: {line.strip()}")
+                sys.exit(f"budget: {path}:{number}: not `module MULT18X18D places`: {line.strip()}")
             limits[word[0]] = int(word[1]), int(word[2])
     return limits
 
@@ -26,11 +26,11 @@ def main(folder, *budgets):
     for path in budgets:
         limits.update(read_budget(path))
     bad = 0
-    for module, (mult, lut4eq) in limits.items():
+    for module, (mult, places) in limits.items():
         total = run["modules"].get(module, {"total": None})["total"]
-        ok = total is not None and total["mult"] <= mult and total["lut4eq"] <= lut4eq
+        ok = total is not None and total["mult"] <= mult and total["places"] <= places
         bad += not ok
-        is_now = (f"{total['mult']} of {mult} MULT18X18D, {total['lut4eq']} of {lut4eq} LUT4eq"
+        is_now = (f"{total['mult']} of {mult} MULT18X18D, {total['places']} of {places} LUT places"
                   if total else "not in the core")
         print(f"{'ok' if ok else 'not ok'} - {run['profile']} {run['target']} {module}: {is_now}")
     sys.exit(bad > 0)

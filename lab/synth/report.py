@@ -16,7 +16,7 @@ NOTE = {
     "nexus": "LUT4, and CCU2 of two LUT4 each.",
     "gatemate": FILES,
     "efinix": f"{FILES} {PRODUCTS}",
-    "ecp5": "LUT4eq = LUT4 + 2 CCU2C; `LUT4eq + RAM` adds 4 for each TRELLIS_DPR16X4.",
+    "ecp5": "LUT4eq = LUT4 + 2 CCU2C; `LUT places` adds 6 for each TRELLIS_DPR16X4.",
     "xc7": "LUT counts functions of up to 6 inputs; `LUT as RAM` are LUTs that hold memory or shift"
            " registers.",
     "generic": "Gates have one or two inputs, or are multiplexers of two. Multipliers are not"
@@ -81,6 +81,19 @@ def modules(run):
                  + ["share", "with children " + heads[size], heads["mult"]], rows)
 
 
+def blocks(run):
+    """Blocks of an ECP5 core with what is inside them, all instances together; places of one
+    instance and of what each pipe has of them in the mean; those of a hundredth of the core."""
+    pipes = run["parameters"].get("PIPES", 1) * run["parameters"].get("ENGINES", 1)
+    columns = "places", "lut4eq", "dpr", "ff", "mult", "bram"
+    heads = dict(results.columns("ecp5"))
+    ordered = sorted(run["modules"].items(), key=lambda m: (-m[1]["total"]["places"], m[0]))
+    rows = [[name, m["instances"], *(m["total"][c] for c in columns),
+             round(m["total"]["places"] / m["instances"]), round(m["total"]["places"] / pipes)]
+            for name, m in ordered if 100 * m["total"]["places"] >= run["core"]["places"]]
+    return table(["block", "n", *(heads[c] for c in columns), "places of one", "a pipe"], rows)
+
+
 def markdown(runs, command):
     text = ["# Area", "", f"`{command}`, {runs[0]['yosys']}; no place and route.", ""]
     for target in results.COLUMNS:
@@ -91,6 +104,8 @@ def markdown(runs, command):
             widths = ", ".join(f"{n} {v}" for n, v in run["parameters"].items())
             text += [f"## {run['profile']} on {run['target']}: modules", "", widths + ".", "",
                      modules(run), ""]
+            if run["target"] == "ecp5":
+                text += ["Blocks, with what is inside them:", "", blocks(run), ""]
     return "\n".join(text)
 
 
@@ -116,6 +131,8 @@ def main(folder, *keys):
     for target in results.COLUMNS:
         if any(r["target"] == target for r in runs):
             print(f"\n{target}\n{cores(runs, target)}")
+    if len(runs) == 1 and runs[0]["target"] == "ecp5" and not runs[0]["flat"]:
+        print(f"\nblocks, with what is inside them\n{blocks(runs[0])}")
     for run in runs:
         if results.too_much(run):
             print(f"\n{run['key']} does not fit {results.too_much(run)}")

@@ -19,7 +19,8 @@ COLUMNS = {
         ("carry", {r"CCU2C": 1}, "CCU2C"),
         ("lut4eq", {r"LUT4": 1, r"CCU2C": 2}, "LUT4eq"),
         ("dpr", {r"TRELLIS_DPR16X4": 1}, "DPR16X4"),
-        ("lut4eq_ram", {r"LUT4": 1, r"CCU2C": 2, r"TRELLIS_DPR16X4": 4}, "LUT4eq + RAM"),
+        # nextpnr lets nothing else into the three slices of a memory
+        ("places", {r"LUT4": 1, r"CCU2C": 2, r"TRELLIS_DPR16X4": 6}, "LUT places"),
         ("ff", {r"TRELLIS_FF": 1}, "FF"),
         ("bram", {r"DP16KD|PDPW16KD": 1}, "DP16KD"),
     ],
@@ -79,7 +80,7 @@ COLUMNS = {
 # not from cell counts
 EXTRA = {target: [("pp_bits", "product bits")] * (target == "generic") + [("bits", "RAM bits")]
          for target in COLUMNS}
-SIZE = {"ecp5": "lut4eq", "generic": "gates"}  # else lut
+SIZE = {"ecp5": "places", "generic": "gates"}  # else lut
 # the largest part of a family in which a core may not fit: its name, {column: how many}
 LARGEST = {"ice40": ("iCE40HX8K", {"lut": 7680, "ff": 7680, "bram": 32})}
 

@@ -94,12 +94,14 @@ module rt_core #(
     assign light[`RT_LIGHT_PART]      = light_part;
     assign light[`RT_LIGHT_DATA]      = cfg_data_q;
     wire [31:0] built = `RT_EFFECTS_BUILT;
+    localparam [`RT_LINE_BITS-1:0] LAST_LINE = {`RT_LINE_BITS{1'b1}} >> (`RT_LINE_BITS - LINE_BITS);
     wire [3:0]  ways  = {CONES != 0, SPANS != 0, RECT != 0, 1'b1};
     wire missing = (effects & ~built) != 32'd0 ||    // the machine asks for what is not here
                    bih != (ACCEL != 0) || boxes != (BOXES != 0) ||
                    coarse != (TEXTURE != 0 ? COARSE[3:0] : 4'd0) ||
                    {28'd0, regs[`RT_REGS_MAX_DEPTH]} > `RT_DEEPEST ||
                    {28'd0, regs[`RT_REGS_N_LIGHTS]} > LIGHTS ||
+                   regs[`RT_REGS_MEM_LINES] > LAST_LINE ||
                    !ways[bg_mode] || (bg_mode == 2'd3 && {27'd0, bg_count} > CONES);
     localparam [31:0] PROFILE = W << `RT_WIDTH_W_LSB | WD << `RT_WIDTH_WD_LSB |
                                 PQ << `RT_WIDTH_PQ_LSB | NG << `RT_WIDTH_NG_LSB |
@@ -125,7 +127,7 @@ module rt_core #(
     `include "rt_core_rules.vh"  // how many; legal values, alone and together
     // What a block RAM is worth in LUTs: four pipes ask for more than there are, as they do of
     // multipliers; three leave enough of these for the squares of their filters.
-    localparam SPARE_LUTS = SPILLS == 2 || (SPILLS == 0 && PIPES > 2) ? (PIPES == 4 ? 24 : 12) : 0;
+    localparam SPARE_LUTS = SPILLS == 2 || (SPILLS == 0 && PIPES > 2) ? (PIPES == 4 ? 24 : 16) : 0;
     localparam LUT_SQUARES = SQUARES == 2 || (SQUARES == 0 && PIPES == 4) ? 1 : 0;
     // Behind boxes are triangles: tests and keys keep up with a visit a clock. Elsewhere a wide
     // facet, whose operands exceed a multiplier of 18 bits, takes its time.

@@ -18,6 +18,7 @@
     parameter SLOTS      = 64,   // 4..1024, power of two: rays in flight a pipe
     parameter MEM_DATA   = 64,   // 64..256, power of two: bits of a beat of memory; a line has 256
     parameter MEM_PENDING = 0,   // 0..256, power of two: lines on their way from 16 on, 0: MEM_DATA
+    parameter LINE_BITS  = 24,   // 16..26: bits of a line's number in caches: 512 MiB of memory
     parameter NODE_LINES = 512,  // 8..4096, power of two: node cache of a pipe, lines
     parameter LEAF_LINES = 128,  // 8..4096, power of two: leaf cache, lines; 4 times if PIPES > 1
     parameter TEXTURE_LINES = 128, // 8..4096, power of two: lines of a shading unit's texture cache

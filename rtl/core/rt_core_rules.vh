@@ -57,6 +57,7 @@
     `RT_CHECK(SLOTS >= 4 && SLOTS <= 1024 && (SLOTS & (SLOTS - 1)) == 0, rt_core_SLOTS_must_be_a_power_of_two_from_4_to_1024)
     `RT_CHECK(MEM_DATA >= 64 && MEM_DATA <= 256 && (MEM_DATA & (MEM_DATA - 1)) == 0, rt_core_MEM_DATA_must_be_a_power_of_two_from_64_to_256)
     `RT_CHECK(MEM_PENDING >= 0 && MEM_PENDING <= 256 && (MEM_PENDING & (MEM_PENDING - 1)) == 0, rt_core_MEM_PENDING_must_be_a_power_of_two_from_0_to_256)
+    `RT_CHECK(LINE_BITS >= 16 && LINE_BITS <= 26, rt_core_LINE_BITS_must_be_16_to_26)
     `RT_CHECK(NODE_LINES >= 8 && NODE_LINES <= 4096 && (NODE_LINES & (NODE_LINES - 1)) == 0, rt_core_NODE_LINES_must_be_a_power_of_two_from_8_to_4096)
     `RT_CHECK(LEAF_LINES >= 8 && LEAF_LINES <= 4096 && (LEAF_LINES & (LEAF_LINES - 1)) == 0, rt_core_LEAF_LINES_must_be_a_power_of_two_from_8_to_4096)
     `RT_CHECK(TEXTURE_LINES >= 8 && TEXTURE_LINES <= 4096 && (TEXTURE_LINES & (TEXTURE_LINES - 1)) == 0, rt_core_TEXTURE_LINES_must_be_a_power_of_two_from_8_to_4096)

@@ -10,3 +10,4 @@
     parameter QUOTIENT_STEP = 2, // 1..PQ: quotient bits a clock
     parameter HIT_INTERVAL = 8,  // 8..12: clocks a hit point and its normal, 8 or 12
     parameter BOUNCE_INTERVAL = 10, // 10..12: clocks a mirrored direction, 10 or 12
+    parameter LINE_BITS  = 24,   // 16..26: bits of a line's number in caches: 512 MiB of memory

@@ -107,9 +107,9 @@ module rt_engine #(
         );
     end endgenerate
     rt_pipes #(.W(W), .WD(WD), .FW(FW), .PIPES(PIPES), .LEAF_UNITS(LEAF_UNITS), .SHADES(SHADES),
-              .SETUPS(SETUPS), .SLOTS(SLOTS), .STACK(STACK), .LINES(NODE_LINES), .LUTS(LUTS),
-              .SQUARES(SQUARES), .SHADOW(SHADOWS), .FIRST(FIRST), .FARS(FARS), .FACETS(FACETS),
-              .ACCEL(ACCEL)) u_pipes (
+              .SETUPS(SETUPS), .SLOTS(SLOTS), .STACK(STACK), .LINES(NODE_LINES),
+              .LINE_BITS(LINE_BITS), .LUTS(LUTS), .SQUARES(SQUARES), .SHADOW(SHADOWS),
+              .FIRST(FIRST), .FARS(FARS), .FACETS(FACETS), .ACCEL(ACCEL)) u_pipes (
         .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i), .ray_i(ray), .filter_i(filter),
         .across_i(across), .ray_again_i(ray_again), .shadow_go_i(shadow_go),
         .shadow_slot_i(shadow_slot), .visit_o(visit), .result_i(result), .done_slot_o(done_slot),
@@ -121,10 +121,11 @@ module rt_engine #(
         .mem_rsp_error_i(mem_rsp_error_i), .event_o(trace_event_o), .fault_o(fault_o[3:0])
     );
     rt_leaf_units #(.W(W), .WD(WD), .NG(NG), .LEAF_UNITS(LEAF_UNITS), .PIPES(PIPES),
-               .SHADES(SHADES), .SETUPS(SETUPS), .SLOTS(SLOTS), .LINES(LEAF_LINES), .ROOTS(ROOTS),
-               .ROOT_STEP(ROOT_STEP), .PR(PR), .LEAF_INTERVAL(LEAF_INTERVAL), .SHADOW(SHADOWS),
-               .INSIDE(INSIDE), .FACETS(FACETS), .CLEAR(CLEAR), .DIVISIONS(DIVISIONS),
-               .DIVISION_STEP(DIVISION_STEP), .FACET_INTERVAL(FACET_INTERVAL)) u_leaf_units (
+               .SHADES(SHADES), .SETUPS(SETUPS), .SLOTS(SLOTS), .LINES(LEAF_LINES),
+               .LINE_BITS(LINE_BITS), .ROOTS(ROOTS), .ROOT_STEP(ROOT_STEP), .PR(PR),
+               .LEAF_INTERVAL(LEAF_INTERVAL), .SHADOW(SHADOWS), .INSIDE(INSIDE), .FACETS(FACETS),
+               .CLEAR(CLEAR), .DIVISIONS(DIVISIONS), .DIVISION_STEP(DIVISION_STEP),
+               .FACET_INTERVAL(FACET_INTERVAL)) u_leaf_units (
         .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i), .ray_i(ray), .lift_i(lift),
         .visit_i(visit), .result_o(result), .fetch_i(fetch), .fetch_ready_o(fetch_ready),
         .record_o(record),

@@ -19,7 +19,8 @@ module rt_cache #(
     parameter LINES   = 256,  // lines of memory held, a power of two
     parameter WAYS    = 4,    // groups of a set, a power of two, 1 .. LINES/GROUP/2
     parameter GROUP   = 1,    // lines of memory fetched together, a power of two
-    parameter PENDING = 16    // requests that may wait for memory, a power of two
+    parameter PENDING = 16,   // requests that may wait for memory, a power of two
+    parameter LINE_BITS = `RT_LINE_BITS // bits of a line's number: no other line is asked for
 ) (
     input  wire           clk,
     input  wire           rst,              // synchronous, active high
@@ -53,13 +54,15 @@ module rt_cache #(
     localparam WB   = WAYS > 1 ? $clog2(WAYS) : 1; // bits of a way number
     localparam PB   = SB + GB;              // bits of a set and a place in its group
     localparam HB   = PB + (GROUP > 1 ? 1 : 0); // of these in the queue, and of whether memory ends
-    localparam KB   = `RT_LINE_BITS - PB;             // line number above them
+    localparam KB   = LINE_BITS - PB;       // line number above them
+    localparam KW   = KB + 1;               // of a way: {asked, key}
     localparam HALF = KB / 2;
     localparam AB   = $clog2(LINES);        // bits of an address of the data RAM
     `RT_CHECK(LINES == (1 << AB), rt_cache_LINES_must_be_a_power_of_two)
     `RT_CHECK(WAYS == (1 << $clog2(WAYS)), rt_cache_WAYS_must_be_a_power_of_two)
     `RT_CHECK(GROUP == (1 << GB), rt_cache_GROUP_must_be_a_power_of_two)
     `RT_CHECK(SETS >= 2, rt_cache_LINES_must_be_at_least_2_sets_of_WAYS_groups)
+    `RT_CHECK(KB >= 2 && LINE_BITS <= `RT_LINE_BITS, rt_cache_LINE_BITS_must_have_a_key)
 
     function [WB-1:0] number(input [WAYS-1:0] onehot);
         integer i;
@@ -83,8 +86,11 @@ module rt_cache #(
         if (rst || forget) begin walk_q <= 1'b1; walk_set_q <= {SB{1'b0}}; end
     end
 
-    // ---- stage 1: reads the state of a set; a request that it cannot take waits before it ----
+    // ---- stage 1: has the keys of a set; a request that it cannot take waits before it ----
+    // Keys are read while a request comes. What an allocation changes in that clock, or while the
+    // request waits, is read again.
     reg            skid_q, s1_valid_q;
+    reg            stale_q;                 // keys are not those of the set any more
     reg  [`RT_LINE_BITS-1:0] skid_line_q, s1_line_q;
     reg  [TAG-1:0] skid_tag_q, s1_tag_q;
     reg            s2_valid_q;
@@ -105,10 +111,16 @@ module rt_cache #(
     wire [SB-1:0]  s2_set = s2_place[PB-1:GB];
     wire           s2_free = s2_go || !s2_valid_q;
     // An allocation of this clock is not read in it: a lookup in the same set waits.
-    wire           s1_wait = walk_q || (s2_valid_q && s2_miss && s1_set == s2_set);
-    wire           s1_free = !s1_valid_q || (s2_free && !s1_wait);
+    wire           s1_wait = walk_q || stale_q || (s2_valid_q && s2_miss && s1_set == s2_set);
+    wire           s1_free = s1_valid_q ? s2_free && !s1_wait : !stale_q;
+    wire [`RT_LINE_BITS-1:0] s0_line = skid_q ? skid_line_q : req_line_i;
+    wire [SB-1:0]  s0_set = s0_line[PB-1:GB];
+    wire           alloc;                   // this cycle allocates a way
+    wire           s0_stale = alloc && s0_set == s2_set;
+    wire           s1_stale = alloc && s1_set == s2_set;
     assign req_ready_o = !skid_q;
     always @(posedge clk) begin
+        stale_q <= walk_q || s0_stale || s1_stale;
         skid_q <= !s1_free && (skid_q || req_valid_i);
         if (!skid_q) begin
             skid_line_q <= req_line_i;
@@ -116,7 +128,7 @@ module rt_cache #(
         end
         if (s1_free) begin
             s1_valid_q <= skid_q || req_valid_i;
-            s1_line_q  <= skid_q ? skid_line_q : req_line_i;
+            s1_line_q  <= s0_line;
             s1_tag_q   <= skid_q ? skid_tag_q : req_tag_i;
         end
         if (s2_free) begin
@@ -128,10 +140,10 @@ module rt_cache #(
     end
 
     // State of a line, in two memories because two places write it:
-    //   by allocation: {used, asked, key}     by fill: {error, filled}
+    //   by allocation: {asked, key}, of all ways in a word     by fill: {error, filled}
     // asked and filled differ while the line is on its way; an allocation makes them differ, the
-    // fill (the last one of a group) makes them equal again, a clock after the line.
-    wire            alloc;                  // this cycle allocates a way
+    // fill (the last one of a group) makes them equal again, a clock after the line. A line that is
+    // forgotten has an error.
     wire [WAYS-1:0] victim;                 // which, one-hot
     wire            fill;                   // this cycle writes a line from memory
     wire            fill_last;              // it is the last of its group
@@ -153,34 +165,43 @@ module rt_cache #(
     end
     wire [WAYS-1:0] done_1 = done_way_q & {WAYS{done_q && done_set_q == s1_set}};
     wire [WAYS-1:0] done_2 = done_way_q & {WAYS{done_q && done_set_q == s2_set}};
+    wire [WAYS*KW-1:0] s1_keys, s2_keys;    // as they are; with the allocation of this clock
+    rt_slot_ram #(.WIDTH(WAYS*KW), .SLOTS(SETS), .OLD(0)) u_keys (
+        .clk(clk),
+        .wr_en_i(walk_step || alloc), .wr_addr_i(walk_q ? walk_set_q : s2_set),
+        .wr_data_i(s2_keys),
+        .rd_en_i(!walk_q && (stale_q ? !s1_stale : s1_free && !s0_stale)),
+        .rd_addr_i(stale_q ? s1_set : s0_set), .rd_data_o(s1_keys)
+    );
     genvar g;
     generate
         for (g = 0; g < WAYS; g = g + 1) begin : g_way
-            wire          used, asked, error, filled;
+            wire          asked, error, filled;
             wire [KB-1:0] key;
-            rt_slot_file #(.WIDTH(KB+2), .SLOTS(SETS)) u_alloc (
-                .clk(clk),
-                .wr_en_i(walk_step || (alloc && victim[g])),
-                .wr_addr_i(walk_q ? walk_set_q : s2_set),
-                .wr_data_i({!walk_q, !walk_q && !s2_filled_q[g], s2_line_q[`RT_LINE_BITS-1:PB]}),
-                .rd_addr_i(s1_set), .rd_data_o({used, asked, key})
-            );
+            reg  [KW-1:0] key_q;
+            assign {asked, key} = s1_keys[KW*g +: KW];
+            assign s2_keys[KW*g +: KW] = walk_q ? {KW{1'b0}}
+                : victim[g] ? {!s2_filled_q[g], s2_line_q[LINE_BITS-1:PB]} : key_q;
+            always @(posedge clk) begin
+                if (s2_free) key_q <= {asked, key};
+                if (walk_q)  key_q <= {KW{1'b0}};
+            end
             rt_slot_file #(.WIDTH(2), .SLOTS(SETS)) u_fill (
                 .clk(clk),
                 .wr_en_i(walk_step || (done_q && done_way_q[g])),
                 .wr_addr_i(walk_step ? walk_set_q : done_set_q),
-                .wr_data_i({done_error_q, !walk_step && done_asked_q}),
+                .wr_data_i({walk_step || done_error_q, !walk_step && done_asked_q}),
                 .rd_addr_i(s1_set), .rd_data_o({error, filled})
             );
-            wire [KB-1:0] other = key ^ s1_line_q[`RT_LINE_BITS-1:PB];
+            wire [KB-1:0] other = key ^ s1_line_q[LINE_BITS-1:PB];
             wire coming = asked != filled && !done_1[g];
             wire good   = done_1[g] ? !done_error_q : asked == filled && !error;
             always @(posedge clk) begin
                 if (s2_free) begin
-                    s2_low_q[g]    <= used && other[HALF-1:0] == {HALF{1'b0}};
+                    s2_low_q[g]    <= other[HALF-1:0] == {HALF{1'b0}};
                     s2_high_q[g]   <= other[KB-1:HALF] == {(KB-HALF){1'b0}};
                     s2_good_q[g]   <= good;
-                    s2_coming_q[g] <= used && coming;
+                    s2_coming_q[g] <= coming;
                     s2_filled_q[g] <= filled ^ done_1[g];
                 end else if (done_2[g]) begin
                     s2_good_q[g]   <= s2_good_q[g] || (s2_coming_q[g] && !done_error_q);

@@ -165,6 +165,7 @@ module rt_shade #(
         if (TEXTURE != 0) begin : g_texture
             rt_texture #(.W(W), .WD(WD), .NG(NG), .BACK(REFRACT), .SPREAD(SPREAD), .SLOTS(SLOTS),
                          .LINES(TEXTURE_LINES), .WAYS(TEXTURE_WAYS), .GROUP(TEXTURE_GROUP),
+                         .LINE_BITS(LINE_BITS),
                          .COORDS(TEXTURE_COORDS), .COARSE(COARSE)) u_texture (
                 .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i),
                 .ray_i(ray_i), .hit_i(hit_i), .material_i(material), .surface_i(surface),

@@ -65,7 +65,6 @@ module rt_surface #(
     localparam KW = W + WD + 2;
     localparam FARS = INSIDE != 0 || FACETS != 0 ? 1 : 0;  // normals that are turned
 
-    localparam FB = SLOTW + `RT_LINE_BITS;    // {slot, line of the record}
     wire on = POINTS != 0 && points_on_i;
     wire [`RT_EFFECT_BITS-1:0] effects  = regs_i[`RT_REGS_EFFECTS];
     wire             in_valid = hit_i[`RT_HIT_HIT];
@@ -78,12 +77,11 @@ module rt_surface #(
     localparam TW = PQ + 8;                   // {mant, exp}
     wire             t_valid;
     wire [TW-1:0]    t;
-    wire [FB-1:0]    t_fetch;
+    wire [SLOTW-1:0] t_slot;
     generate
         if (POINTS != 0) begin : g_quotient
             wire             h_valid, h_in, h_taken, divider;
             wire [SLOTW-1:0] h_slot;
-            wire [`RT_LINE_BITS-1:0] h_line;
             wire [KW-1:0]    h_key;
             wire [2*WD-1:0]  h_a;
             reg              h_read_q;        // h and h_a belong to the head
@@ -92,10 +90,10 @@ module rt_surface #(
                 .in_data_i(in_slot),
                 .out_valid_o(h_valid), .out_ready_i(h_taken), .out_data_o(h_slot)
             );
-            rt_slot_ram #(.WIDTH(KW+`RT_LINE_BITS), .SLOTS(SLOTS), .OLD(0)) u_hit_data (
+            rt_slot_ram #(.WIDTH(KW), .SLOTS(SLOTS), .OLD(0)) u_key (
                 .clk(clk), .wr_en_i(in_valid), .wr_addr_i(in_slot),
-                .wr_data_i({in_line, hit_i[`RT_HIT_KEY]}),
-                .rd_en_i(h_valid), .rd_addr_i(h_slot), .rd_data_o({h_line, h_key})
+                .wr_data_i(hit_i[`RT_HIT_KEY]),
+                .rd_en_i(h_valid), .rd_addr_i(h_slot), .rd_data_o(h_key)
             );
             rt_slot_ram #(.WIDTH(2*WD), .SLOTS(SLOTS), .OLD(0)) u_a (
                 .clk(clk), .wr_en_i(ray_valid), .wr_addr_i(ray_slot),
@@ -109,33 +107,40 @@ module rt_surface #(
             assign h_taken    = h_read_q && divider;
             assign quotient_o = h_taken;
             rt_quotient_pool #(.KW(KW), .AW(2*WD), .PQ(PQ), .UNITS(QUOTIENTS),
-                               .STEP(QUOTIENT_STEP), .TAG(FB)) u_pool (
+                               .STEP(QUOTIENT_STEP), .TAG(SLOTW)) u_pool (
                 .clk(clk), .rst(rst), .in_valid_i(h_read_q), .in_ready_o(divider),
-                .in_tag_i({h_slot, h_line}), .in_key_i(h_key), .in_a_i(h_a),
-                .out_valid_o(t_valid), .out_ready_i(1'b1), .out_tag_o(t_fetch),
+                .in_tag_i(h_slot), .in_key_i(h_key), .in_a_i(h_a),
+                .out_valid_o(t_valid), .out_ready_i(1'b1), .out_tag_o(t_slot),
                 .out_mant_o(t[TW-1:8]), .out_exp_o(t[7:0])
             );
             wire unused = h_in;
         end else begin : g_none
-            assign {t_valid, t, t_fetch, quotient_o} = {(TW+FB+2){1'b0}};
+            assign {t_valid, t, t_slot, quotient_o} = {(TW+SLOTW+2){1'b0}};
         end
     endgenerate
 
     // ---- fetch the primitive record, if there is a place for it; by way of a register ----
-    wire             p_in, p_valid, room, f_load;
-    wire [FB-1:0]    p_fetch;
-    wire             f_take = f_load && p_valid && room;
-    rt_fifo #(.WIDTH(FB), .DEPTH(SLOTS)) u_fetches (
+    wire             p_in, p_valid, room;
+    wire [SLOTW-1:0] p_slot;
+    reg              f_valid_q;               // the slot at the port; its line is read
+    reg  [SLOTW-1:0] f_slot_q;
+    wire             f_take = p_valid && room && (!f_valid_q || fetch_ready_i);
+    rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_fetches (
         .clk(clk), .rst(rst), .in_valid_i(on ? t_valid : in_valid), .in_ready_o(p_in),
-        .in_data_i(on ? t_fetch : {in_slot, in_line}),
-        .out_valid_o(p_valid), .out_ready_i(f_take), .out_data_o(p_fetch)
+        .in_data_i(on ? t_slot : in_slot),
+        .out_valid_o(p_valid), .out_ready_i(f_take), .out_data_o(p_slot)
     );
-    rt_reg_slice #(.WIDTH(FB)) u_fetch (
-        .clk(clk), .rst(rst),
-        .in_valid_i(f_take), .in_ready_o(f_load), .in_data_i(p_fetch),
-        .out_valid_o(fetch_o[`RT_FETCH_VALID]), .out_ready_i(fetch_ready_i),
-        .out_data_o({fetch_o[`RT_FETCH_SLOT], fetch_o[`RT_FETCH_LINE]})
+    rt_slot_ram #(.WIDTH(`RT_LINE_BITS), .SLOTS(SLOTS), .OLD(0)) u_line (
+        .clk(clk), .wr_en_i(in_valid), .wr_addr_i(in_slot), .wr_data_i(in_line),
+        .rd_en_i(f_take), .rd_addr_i(p_slot), .rd_data_o(fetch_o[`RT_FETCH_LINE])
     );
+    assign fetch_o[`RT_FETCH_VALID] = f_valid_q;
+    assign fetch_o[`RT_FETCH_SLOT]  = f_slot_q;
+    always @(posedge clk) begin
+        if (f_take) f_slot_q <= p_slot;
+        f_valid_q <= f_take || (f_valid_q && !fetch_ready_i);
+        if (rst) f_valid_q <= 1'b0;
+    end
     wire [255:0]     prim = record_i[`RT_RECORD_DATA];
     wire [SLOTW-1:0] prim_slot = record_i[`RT_RECORD_SLOT];
     wire             r_valid = record_i[`RT_RECORD_VALID];
@@ -212,7 +217,7 @@ module rt_surface #(
                 .out_valid_o(e_valid), .out_ready_i(r_ready), .out_data_o(e)
             );
             rt_slot_ram #(.WIDTH(TW), .SLOTS(SLOTS), .OLD(0)) u_t (
-                .clk(clk), .wr_en_i(t_valid), .wr_addr_i(t_fetch[`RT_LINE_BITS +: SLOTW]),
+                .clk(clk), .wr_en_i(t_valid), .wr_addr_i(t_slot),
                 .wr_data_i(t),
                 .rd_en_i(r_read_q), .rd_addr_i(r_slot_q), .rd_data_o(r_t)
             );
@@ -276,6 +281,6 @@ module rt_surface #(
         end
     endgenerate
     wire unused = &{1'b0, regs_i, effects, ray_i, ray_valid, ray_slot, hit_i, prim, p_in, t,
-                    t_fetch};
+                    t_slot};
 endmodule
 `default_nettype wire

@@ -17,6 +17,7 @@ module rt_texture #(
     parameter SPREAD = 0,      // 1: spheres spread rays
     parameter SLOTS = 32,      // power of two
     parameter LINES = 128,     // texture cache, lines of memory
+    parameter LINE_BITS = `RT_LINE_BITS, // bits of a line's number
     parameter WAYS  = 4,       // groups of a set
     parameter GROUP = 1,       // lines of memory fetched together: 1, 2 or 4
     parameter COORDS = 2,      // units for coordinates
@@ -144,7 +145,8 @@ module rt_texture #(
     assign map_ready   = ready && !texel_valid && !image_valid;
     wire [`RT_LINE_BITS-1:0] ask_line = beyond ? {`RT_LINE_BITS{1'b0}}
                                              : asked_line[`RT_LINE_BITS-1:0];
-    rt_cache #(.TAG(TAG), .LINES(LINES), .WAYS(WAYS), .GROUP(GROUP), .PENDING(SLOTS)) u_cache (
+    rt_cache #(.TAG(TAG), .LINES(LINES), .WAYS(WAYS), .GROUP(GROUP), .PENDING(SLOTS),
+               .LINE_BITS(LINE_BITS)) u_cache (
         .clk(clk), .rst(rst), .flush_i(flush_i), .mem_lines_i(mem_lines), .miss_o(miss_o),
         .req_valid_i(ask), .req_ready_o(taken), .req_line_i(ask_line),
         .req_tag_i({asked, beyond}),

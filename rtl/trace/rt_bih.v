@@ -17,6 +17,7 @@ module rt_bih #(
     parameter WD    = 17,   // direction component, bits
     parameter SLOTS = 32,   // power of two
     parameter LINES = 256,  // node cache, lines
+    parameter LINE_BITS = `RT_LINE_BITS, // bits of a line's number
     parameter SHADOW = 1,   // 1: shadow rays
     parameter FACETS = 0,   // 1: a leaf record may have a whole line
     parameter TW    = `RT_BIH_T  // not to be set: bits of a bound
@@ -167,7 +168,7 @@ module rt_bih #(
     wire             rsp_half, rsp_kill, rsp_error;
     wire [SLOTW-1:0] rsp_slot;
     wire [255:0]     rsp_data;
-    rt_cache #(.TAG(TAG), .LINES(LINES), .PENDING(SLOTS)) u_cache (
+    rt_cache #(.TAG(TAG), .LINES(LINES), .PENDING(SLOTS), .LINE_BITS(LINE_BITS)) u_cache (
         .clk(clk), .rst(rst), .flush_i(flush_i), .mem_lines_i(mem_lines),
         .req_valid_i(q_issue_valid), .req_ready_o(req_ready),
         .req_line_i(bad_limit ? {LB{1'b0}} : q_issue_place[LB:1]),

@@ -17,6 +17,7 @@ module rt_leaf_unit #(
     parameter SLOTS = 32,   // power of two: {pipe, slot of its own}
     parameter PIPES = 1,    // from which visits come, power of two
     parameter LINES = 64,   // leaf cache, lines
+    parameter LINE_BITS = `RT_LINE_BITS, // bits of a line's number
     parameter ROOTS = 3,    // square root units
     parameter ROOT_STEP = 2, // root bits a clock
     parameter PR    = 0,    // significant bits of the root, 0: all
@@ -115,7 +116,7 @@ module rt_leaf_unit #(
     wire [SLOTW-1:0] c_slot;
     wire [255:0]     c_data;
     assign fetch_ready_o = req_ready;
-    rt_cache #(.TAG(TAG), .LINES(LINES), .PENDING(SLOTS)) u_cache (
+    rt_cache #(.TAG(TAG), .LINES(LINES), .PENDING(SLOTS), .LINE_BITS(LINE_BITS)) u_cache (
         .clk(clk), .rst(rst), .flush_i(flush_i), .mem_lines_i(regs_i[`RT_REGS_MEM_LINES]),
         .req_valid_i(prim || v_valid), .req_ready_o(req_ready),
         .req_line_i(prim ? fetch_i[`RT_FETCH_LINE]

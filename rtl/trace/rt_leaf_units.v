@@ -18,6 +18,7 @@ module rt_leaf_units #(
     parameter SETUPS = 1,   // set-up units, power of two, at most LEAF_UNITS
     parameter SLOTS = 32,   // numbers of slots, power of two
     parameter LINES = 64,   // leaf cache of each, lines
+    parameter LINE_BITS = `RT_LINE_BITS, // bits of a line's number
     parameter ROOTS = 3,    // square root units of each
     parameter ROOT_STEP = 2, // root bits a clock
     parameter PR    = 0,    // significant bits of the root, 0: all
@@ -92,6 +93,7 @@ module rt_leaf_units #(
             wire [FX-1:0] fetch;
             wire          fetch_ready;
             rt_leaf_unit #(.W(W), .WD(WD), .NG(NG), .SLOTS(SLOTS >> XB), .PIPES(N), .LINES(LINES),
+                           .LINE_BITS(LINE_BITS),
                        .ROOTS(ROOTS), .ROOT_STEP(ROOT_STEP), .PR(PR),
                        .LEAF_INTERVAL(LEAF_INTERVAL), .SHADOW(SHADOW), .INSIDE(INSIDE),
                        .FACETS(FACETS), .CLEAR(CLEAR), .DIVISIONS(DIVISIONS),

@@ -21,6 +21,7 @@ module rt_pipes #(
     parameter SLOTS = 32,   // numbers of slots, power of two: {pipe, slot of its own}
     parameter STACK = 16,   // sibling groups waiting per ray, power of two
     parameter LINES = 256,  // node cache of each pipe, lines
+    parameter LINE_BITS = `RT_LINE_BITS, // bits of a line's number
     parameter SHADOW = 1,   // 1: shadow rays
     parameter FIRST = 1,    // 1: primary rays may end with their first hit
     parameter FARS  = 1,    // 1: hits that are far
@@ -120,6 +121,7 @@ module rt_pipes #(
         for (p = 0; p < PIPES; p = p + 1) begin : g_pipe
             localparam U = p >> (PB - $clog2(SETUPS));   // its set-up unit
             rt_trace #(.W(W), .WD(WD), .FW(FW), .SLOTS(SLOTS >> PB), .STACK(STACK), .LINES(LINES),
+                       .LINE_BITS(LINE_BITS),
                        .SHADOW(SHADOW), .FIRST(FIRST), .FARS(FARS), .FACETS(FACETS),
                        .SQUARES(SQUARES), .LUTS(LUTS), .ACCEL(ACCEL),
                        .WAITS(PIPES > 1 ? 1 : 0)) u_trace (

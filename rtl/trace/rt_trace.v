@@ -17,6 +17,7 @@ module rt_trace #(
     parameter SLOTS = 32,   // rays in flight, power of two
     parameter STACK = 16,   // sibling groups waiting per ray, power of two
     parameter LINES = 256,  // node cache, lines
+    parameter LINE_BITS = `RT_LINE_BITS, // bits of a line's number
     parameter SHADOW = 1,   // 1: shadow rays
     parameter FIRST = 1,    // 1: primary rays may end with their first hit
     parameter FARS  = 1,    // 1: hits that are far
@@ -110,8 +111,9 @@ module rt_trace #(
                 assign limit = filter_i[`RT_FILTER_DEPTH];
             end
             assign count = {2'b0, leaf[0]} + {2'b0, leaf[1]} + {2'b0, leaf[2]} + {2'b0, leaf[3]};
-            rt_traverse #(.W(W), .WD(WD), .FW(FW), .SLOTS(SLOTS), .LINES(LINES), .SHADOW(SHADOW),
-                          .FIRST(FIRST), .FACETS(FACETS), .SQUARES(SQUARES), .LUTS(LUTS),
+            rt_traverse #(.W(W), .WD(WD), .FW(FW), .SLOTS(SLOTS), .LINES(LINES),
+                          .LINE_BITS(LINE_BITS), .SHADOW(SHADOW), .FIRST(FIRST),
+                          .FACETS(FACETS), .SQUARES(SQUARES), .LUTS(LUTS),
                           .BOXES(ACCEL == 2 ? 1 : 0)) u_traverse (
                 .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i),
                 .ray_i(ray_i), .filter_i(filter_i), .across_i(across_i),
@@ -172,8 +174,8 @@ module rt_trace #(
             wire unused = &{1'b0, leafy_in, plain_in, events, faults};
         end else begin : g_bih
             assign {read_valid, read_slot} = {(SLOTW+1){1'b0}};
-            rt_bih #(.W(W), .WD(WD), .SLOTS(SLOTS), .LINES(LINES), .SHADOW(SHADOW),
-                     .FACETS(FACETS)) u_bih (
+            rt_bih #(.W(W), .WD(WD), .SLOTS(SLOTS), .LINES(LINES),
+                     .LINE_BITS(LINE_BITS), .SHADOW(SHADOW), .FACETS(FACETS)) u_bih (
                 .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i),
                 .ray_i(ray_i), .pixel_i(pixel), .ray_limit_o(limit),
                 .shadow_go_i(shadow_go_i), .shadow_slot_i(shadow_slot_i),

@@ -18,6 +18,7 @@ module rt_traverse #(
     parameter FW    = 14,   // filter coordinate, bits
     parameter SLOTS = 32,   // power of two
     parameter LINES = 256,  // node cache, lines
+    parameter LINE_BITS = `RT_LINE_BITS, // bits of a line's number
     parameter SHADOW = 1,   // 1: shadow rays
     parameter FIRST = 1,    // 1: rays that end with their first hit
     parameter FACETS = 0,   // 1: a leaf child may have a whole line
@@ -223,6 +224,7 @@ module rt_traverse #(
     // ---- issue: choose | read the visits | count the visit, refuse bad addresses | queue ----
     localparam VB = `RT_VISITS_BITS;
     wire             any_valid = q_next_valid || start_valid;
+    wire [SLOTW-1:0] any_slot  = q_next_valid ? q_next_slot : start_slot;
     reg              i1_valid_q, i1_fresh_q, i1_pixel_q, i2_valid_q, i2_fresh_q, i2_bad_line_q;
     reg              i3_valid_q, i3_fresh_q, i3_bad_line_q, i3_bad_limit_q;
     reg [SLOTW-1:0]  i1_slot_q, i2_slot_q, i3_slot_q;
@@ -237,7 +239,7 @@ module rt_traverse #(
         i1_valid_q <= any_valid && room;
         i1_fresh_q <= !q_next_valid;
         i1_pixel_q <= !q_next_valid && start_pixel;
-        i1_slot_q  <= q_next_valid ? q_next_slot : start_slot;
+        i1_slot_q  <= any_slot;
         i1_line_q  <= q_next_valid ? q_next_line : regs_i[`RT_REGS_ROOT];
         i2_valid_q <= i1_valid_q;
         i2_fresh_q <= i1_fresh_q;
@@ -259,10 +261,10 @@ module rt_traverse #(
             i1_valid_q <= 1'b0; i2_valid_q <= 1'b0; i3_valid_q <= 1'b0; held_q <= 4'd0;
         end
     end
-    rt_slot_file #(.WIDTH(2*VB), .SLOTS(SLOTS)) u_visits (
+    rt_slot_ram #(.WIDTH(2*VB), .SLOTS(SLOTS), .OLD(0), .LUTS(LUTS)) u_visits (
         .clk(clk), .wr_en_i(i3_valid_q), .wr_addr_i(i3_slot_q),
         .wr_data_i({i3_ray_q + one, i3_visits}),
-        .rd_addr_i(i1_slot_q), .rd_data_o({ray_visits, pixel_visits})
+        .rd_en_i(any_valid && room), .rd_addr_i(any_slot), .rd_data_o({ray_visits, pixel_visits})
     );
     rt_slot_ram #(.WIDTH(VB), .SLOTS(SLOTS), .OLD(0), .LUTS(LUTS)) u_visits_out (
         .clk(clk), .wr_en_i(i3_valid_q), .wr_addr_i(i3_slot_q), .wr_data_i(i3_visits),
@@ -285,7 +287,7 @@ module rt_traverse #(
     // ---- node cache; a killed token fetches line 0 and is thrown away behind it ----
     localparam TAG = SLOTW + 2;
     wire [255:0]     rsp_data;
-    rt_cache #(.TAG(TAG), .LINES(LINES), .PENDING(SLOTS)) u_cache (
+    rt_cache #(.TAG(TAG), .LINES(LINES), .PENDING(SLOTS), .LINE_BITS(LINE_BITS)) u_cache (
         .clk(clk), .rst(rst), .flush_i(flush_i), .mem_lines_i(mem_lines),
         .req_valid_i(req_valid), .req_ready_o(req_ready),
         .req_line_i(req_line),

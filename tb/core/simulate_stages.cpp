@@ -62,7 +62,7 @@ class StageWatch::Core {
             add<Facet>({SPH_STAGE_TRIANGLE, SPH_STAGE_PLANE}, f, p, exact);
         for (const Place &p : places.with("result_o"))
             add<Results>({SPH_STAGE_KEY}, f, p);
-        for (const Place &p : places.with("t_fetch"))
+        for (const Place &p : places.with("t_slot"))
             add<Surface>({SPH_STAGE_QUOTIENT, SPH_STAGE_POINT, SPH_STAGE_MATERIAL}, f, p, places);
         for (const Place &p : places.with("highlight"))
             add<Highlights>({SPH_STAGE_HIGHLIGHT}, f, p);

@@ -79,13 +79,13 @@ extern "C" {
 class Surface : public Watch {
   public:
     Surface(Followed &f, const Place &p, const Places &places)
-        : Watch(f, p, "g_shade"), t_valid_(p["t_valid"]), t_(p["t"]), t_fetch_(p["t_fetch"]),
+        : Watch(f, p, "g_shade"), t_valid_(p["t_valid"]), t_(p["t"]), t_slot_(p["t_slot"]),
           record_(p["record_i"]), surface_(p["surface_o"]) {
         const Place hit = places.at(p.path + ".g_point.u_hit");
         guarded_ = hit["guarded"], g_ = hit["s5_g_q"];
     }
     void clock() override {
-        if (t_valid_.bit() && slot_of(t_fetch_, SPH_LINE_BITS))
+        if (t_valid_.bit() && slot_of(t_slot_, 0))
             f.note(SPH_STAGE_QUOTIENT, 0, {t_.number(8, t_.bits() - 8), t_.number(0, 8)});
         if (record_.get(RT_RECORD_VALID) && slot_of(record_, lsb_of(RT_RECORD_SLOT))) {
             std::array<uint32_t, SPH_LINE_WORDS> prim{};
@@ -109,7 +109,7 @@ class Surface : public Watch {
     }
 
   private:
-    Shown t_valid_, t_, t_fetch_, record_, surface_, guarded_, g_;
+    Shown t_valid_, t_, t_slot_, record_, surface_, guarded_, g_;
     std::deque<sph_i128> coming_;
 };
 

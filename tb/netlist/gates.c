@@ -18,6 +18,10 @@ struct group { /* gates of one kind: inputs[k * count + i] is input k of gate i 
     void (*kernel)(const uint8_t *net, const uint32_t *inputs, uint8_t *out, uint32_t count);
     uint32_t input, output, count;
 };
+struct clocked { /* flip-flops: a net that is high, or their clock stands */
+    struct group group;
+    uint32_t enable;
+};
 struct port {
     const char *name;
     uint32_t net, bits; /* of table port_nets */
@@ -37,7 +41,7 @@ enum { EVERY = 255 }; /* calls after which a byte of sums is full */
 static uint8_t net[NETS], before[NETS], few[NETS], next[STATES + 1], bits[BITS + 1];
 static uint32_t shown[READS + 1]; /* last address of what is read at once */
 static uint64_t sums[GATES_PHASES][NETS], accesses[GATES_PHASES][READS + WRITES + 1];
-static uint64_t clocks[GATES_PHASES];
+static uint64_t enabled[GATES_PHASES][ENABLES + 1], clocks[GATES_PHASES];
 static int phase_now = -1, calls;
 static uint64_t noise;
 
@@ -63,6 +67,7 @@ void gates_start(uint64_t seed) {
         }
     memset(sums, 0, sizeof sums);
     memset(accesses, 0, sizeof accesses);
+    memset(enabled, 0, sizeof enabled);
     memset(clocks, 0, sizeof clocks);
     memset(few, 0, sizeof few);
     phase_now = -1;
@@ -126,8 +131,10 @@ void gates_settle(void) {
 
 void gates_edge(void) {
     memcpy(next, &net[STATE], STATES);
-    for (uint32_t i = 0; i < FLOPS; i++)
-        flops[i].kernel(net, &inputs[flops[i].input], &next[flops[i].output], flops[i].count);
+    for (uint32_t i = 0; i < FLOPS; i++) {
+        const struct group *g = &flops[i].group;
+        if (net[flops[i].enable]) g->kernel(net, &inputs[g->input], &next[g->output], g->count);
+    }
     for (uint32_t i = 0; i < READS; i++)
         if (reads[i].clocked && net[reads[i].enable]) look(&reads[i], &next[reads[i].data - STATE]);
     for (uint32_t i = 0; i < WRITES; i++) {
@@ -176,7 +183,10 @@ void gates_count(int phase) {
         before[i] = net[i];
     }
     count_accesses(phase < 0 ? unseen : accesses[phase]);
-    if (phase >= 0) clocks[phase]++;
+    if (phase < 0) return;
+    clocks[phase]++;
+    for (uint32_t i = 0; i < ENABLES; i++)
+        enabled[phase][i] += net[enables[i]];
 }
 
 void gates_write(FILE *f) {
@@ -186,4 +196,6 @@ void gates_write(FILE *f) {
         fprintf(f, "%" PRIu64 " %" PRIu64 "\n", sums[0][i], sums[1][i]);
     for (uint32_t i = 0; i < READS + WRITES; i++)
         fprintf(f, "%" PRIu64 " %" PRIu64 "\n", accesses[0][i], accesses[1][i]);
+    for (uint32_t i = 0; i < ENABLES; i++)
+        fprintf(f, "%" PRIu64 " %" PRIu64 "\n", enabled[0][i], enabled[1][i]);
 }

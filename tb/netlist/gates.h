@@ -28,11 +28,12 @@ uint64_t gates_get(const char *port, size_t lsb);
 void gates_settle(void);
 /* A rising edge, of settled nets. */
 void gates_edge(void);
-/* Settled nets that differ from those of the call before, and accesses of memories, are added to
- * the sums of a phase; -1: to none. */
+/* Settled nets that differ from those of the call before, accesses of memories and clocks that get
+ * through gates are added to the sums of a phase; -1: to none. */
 enum { GATES_PHASES = 2 };
 void gates_count(int phase);
-/* The sums as text: `clocks A B`; a line a net, `A B`; a line a port of a memory, `A B`. */
+/* The sums as text: `clocks A B`; then `A B` in a line for each net, port of a memory, gate of the
+ * clock. */
 void gates_write(FILE *f);
 
 #ifdef __cplusplus

@@ -10,8 +10,8 @@
 # Those that are listed as small or whole take smaller frames, and own cores in Icarus or none: a
 # core of its own is the dearest part. The whole core is `all`, or with textures, refraction,
 # highlights, sums, interpolated normals, clear materials and spread where the list has one; over a
-# BIH there is no such core. Every way of background separation on one of scenes/views/
-# (test_background.sh has more).
+# BIH there is no such core. Every way of background separation on one of scenes/views/ and in an
+# oblique frustum (test_background.sh has more).
 # Then machines that ask for more than a core was built with: each is refused, by name, without a
 # pixel.
 #   SEED=n          other latencies and stalls (1)
@@ -57,6 +57,8 @@ whole_of() { # list: the core with everything that draws it, or nothing
         built=$way
         [ $way != exact ] || built=cones1
         echo "off_axis_$way|scenes/views/off_axis.nff|--background=$way|$view_asks+$built|full|all"
+        built=${view_asks%+inside}+$built
+        echo "oblique_$way|scenes/oblique.nff|--background=$way|$built|whole|all"
     done
 } | grep -e "$EFFECT" >"$cases"
 

@@ -8,6 +8,7 @@
 
 #include "builder/build.h"
 #include "builder/warn.h"
+#include "common/module.h"
 #include "texture/lookup.h"
 
 #define SPH "s 0 0 0 1\n"
@@ -21,14 +22,46 @@
     "data_x\nloop_\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n"                  \
     "_atom_site.type_symbol\n_atom_site.pdbx_PDB_model_num\n"
 
-enum { READ, BUILD, IMAGES };
+#define CORNERS "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
+#define OBJ CORNERS "f 1 2 3\n"
+#define MTL "mtllib m.mtl\nusemtl m\n" OBJ
+#define PLY(more, rows)                                                                            \
+    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"                \
+    "property float z\n" more "element face 1\nproperty list uchar int vertex_indices\n"           \
+    "end_header\n" rows "3 0 1 2\n"
+/* A triangle; what its node and its material have besides, and the file. */
+#define GLTF(node, material, more)                                                                 \
+    "{\"asset\":{\"version\":\"2.0\"},\"scenes\":[{\"nodes\":[0]}],"                               \
+    "\"nodes\":[{\"mesh\":0" node "}],\"materials\":[{" material "}],"                             \
+    "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"material\":0}]}],"            \
+    "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}],"     \
+    "\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}]," more                                     \
+    "\"buffers\":[{\"byteLength\":36,\"uri\":\"data:application/octet-stream;base64,"              \
+    "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA\"}]}"
+#define IMAGE(image, sampler)                                                                      \
+    GLTF("", "\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}}",                      \
+         "\"textures\":[{\"source\":0,\"sampler\":0}],\"samplers\":[{" sampler                     \
+         "}],\"images\":[{\"uri\":\"" image "\"}],")
+#define LIGHTS(intensity)                                                                          \
+    GLTF(",\"extensions\":{\"KHR_lights_punctual\":{\"light\":0}}", "",                            \
+         "\"extensions\":{\"KHR_lights_punctual\":{\"lights\":[{\"type\":\"point\","               \
+         "\"intensity\":" intensity "}]}},")
+
+/* Files that stand beside. */
+static const char *const beside[][2] = {
+    {"m.mtl", "newmtl m\nKd 1 2 0\nKs .1 .2 .3\nNs 9\nKe 1 1 1\n"},
+    {"i.png", "no image, which nobody reads here"},
+};
+enum { BESIDE = sizeof beside / sizeof *beside };
+
+enum { READ, BUILD, IMAGES, MESH };
 
 static const struct row {
     enum sph_read kind;
     const char *name; /* of the file */
     const char *text;
     uint32_t line;
-    int how; /* who notes it: the reader, build, or who reads images */
+    int how; /* who notes it: the reader, build, who reads images, or the reader by assimp */
 } rows[] = {
     {SPH_READ_CAMERA, "a.nff", CAM, 1, READ},
     {SPH_READ_LIGHT, "a.nff", CAM LIGHT, 8, READ},
@@ -88,6 +121,42 @@ static const struct row {
     {SPH_READ_UNKNOWN, "a.pdb", CA ATOM("    2", " ?? ", " ", "LIG", "   5.000", "  "), 2, READ},
     {SPH_READ_MODEL, "a.pdb", CA "END   \n" CA, 3, READ},
     {SPH_READ_MODEL, "a.cif", LOOP "0 0 0 C 1\n0 0 9 C 2\n", 9, READ},
+    {SPH_READ_CORNER, "a.obj", OBJ, 1, MESH},
+    {SPH_READ_CORNER, "a.ply", PLY("", "0 0 0\n1 0 0\n0 1 0\n"), 10, MESH},
+    {SPH_READ_TRIANGLE, "a.ply", PLY("", "0 0 0\n1 0 0\n0 1 0\n"), 13, MESH},
+    {SPH_READ_TRIANGLE, "a.stl",
+     "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
+     "endfacet\nendsolid\n",
+     2, MESH},
+    {SPH_READ_MATERIAL, "a.obj", MTL, 1, MESH},
+    {SPH_READ_PART, "a.obj", MTL, 2, MESH},
+    {SPH_READ_NODE, "a.gltf", GLTF("", "", ""), 0, MESH},
+    {SPH_READ_FLAT, "a.obj", "s 1\n" OBJ, 1, MESH},
+    {SPH_READ_CORNER_COLOURS, "a.ply",
+     PLY("property uchar red\nproperty uchar green\nproperty uchar blue\n",
+         "0 0 0 9 9 9\n1 0 0 9 9 9\n0 1 0 9 9 9\n"),
+     16, MESH},
+    {SPH_READ_PART_MEAN, "a.obj", MTL, 0, MESH},
+    {SPH_READ_PART_LIMITED, "a.obj", MTL, 0, MESH},
+    {SPH_READ_ROUGH, "a.gltf", GLTF("", "\"pbrMetallicRoughness\":{\"roughnessFactor\":0.5}", ""),
+     0, MESH},
+    {SPH_READ_CUTOUT, "a.gltf", GLTF("", "\"alphaMode\":\"MASK\"", ""), 0, MESH},
+    {SPH_READ_WRAP, "a.gltf", IMAGE("i.png", "\"wrapS\":33071"), 0, MESH},
+    {SPH_READ_LIGHT_PLAIN, "a.gltf", LIGHTS("5"), 0, MESH},
+    {SPH_READ_LIGHT_OTHER, "a.gltf", LIGHTS("0"), 0, MESH},
+    {SPH_READ_LINE, "a.obj", OBJ "l 1 2\n", 5, MESH},
+    {SPH_READ_PROPERTY, "a.ply", PLY("property float radius\n", "0 0 0 1\n1 0 0 1\n0 1 0 1\n"), 7,
+     MESH},
+    {SPH_READ_PART_OTHER, "a.obj", MTL, 5, MESH},
+    {SPH_READ_MISSING, "a.obj", "mtllib none.mtl\n" OBJ, 1, MESH},
+    {SPH_READ_IMAGE_INSIDE, "a.gltf", IMAGE("data:image/png;base64,AAAA", ""), 0, MESH},
+    {SPH_READ_CAMERA_OTHER, "a.gltf",
+     GLTF(",\"camera\":0", "",
+          "\"cameras\":[{\"type\":\"orthographic\",\"orthographic\":{\"xmag\":1,\"ymag\":1,"
+          "\"zfar\":9,\"znear\":1}}],"),
+     0, MESH},
+    {SPH_READ_ANIMATION, "a.gltf", GLTF("", "", "\"skins\":[{\"joints\":[0]}],"), 0, MESH},
+    {SPH_READ_EXTENSION, "a.gltf", GLTF("", "", "\"extensionsUsed\":[\"FOO_bar\"],"), 0, MESH},
 };
 enum { ROWS = sizeof rows / sizeof *rows };
 
@@ -120,8 +189,19 @@ static struct sph_ledger ledger_of(const struct row *row, int strict, struct sph
 static void test_rows(void **state) {
     (void)state;
     int found[SPH_READS] = {0};
+    char why[400];
+    int meshes = sph_module_load("mesh", why, sizeof why) != NULL;
+    if (!meshes) printf("# skip meshes: built without assimp (make mesh-setup)\n");
+    for (int i = 0; i < BESIDE; i++) {
+        snprintf(file_name, sizeof file_name, "%s/%s", folder, beside[i][0]);
+        put_file(beside[i][1], strlen(beside[i][1]));
+    }
     for (int i = 0; i < ROWS; i++) {
         const struct row *r = &rows[i];
+        if (r->how == MESH && !meshes) {
+            found[r->kind] = 1;
+            continue;
+        }
         struct sph_error err = {""}, refused = {""};
         char start[200];
         struct sph_ledger ledger = ledger_of(r, 0, &err);
@@ -132,12 +212,47 @@ static void test_rows(void **state) {
         found[r->kind] = 1;
         if (sph_read_end(r->kind) == SPH_USED) continue;
         ledger_of(r, 1, &refused);
-        snprintf(start, sizeof start, "%s:", file_name);
+        snprintf(start, sizeof start, "%s/", folder);
         if (strncmp(refused.text, start, strlen(start)) != 0)
             fail_msg("row %d (%s): strict says \"%s\"", i, sph_read_name(r->kind), refused.text);
     }
+    for (int i = 0; i < BESIDE; i++) {
+        snprintf(file_name, sizeof file_name, "%s/%s", folder, beside[i][0]);
+        unlink(file_name);
+    }
     for (int kind = 0; kind < SPH_READS; kind++)
         if (!found[kind]) fail_msg("no file has a \"%s\"", sph_read_name((enum sph_read)kind));
+}
+
+/* What build leaves out counts once: as left out, unless something of its record is left. */
+static void test_once(void **state) {
+    static const struct {
+        const char *text;
+        enum sph_read used, out;
+        uint64_t n_used, n_out;
+    } once[] = {
+        {CAM MATT SPH "s 0 0 1e-9 1\n", SPH_READ_SPHERE, SPH_READ_SPHERE_GRID, 1, 1},
+        {CAM MATT SPH "s 2 0 0 1e-9\n", SPH_READ_SPHERE, SPH_READ_SPHERE_SMALL, 1, 1},
+        {CAM MATT "p 3 0 0 0 1 0 0 0 1 0\np 3 0 0 0 1 0 0 0 1 0\n", SPH_READ_POLYGON,
+         SPH_READ_TRIANGLE_TWICE, 1, 1},
+        /* of this polygon the second triangle is left out, the first is not */
+        {CAM MATT "p 4 0 0 0 1 0 0 1 1 0 1e-9 1e-9 0\n", SPH_READ_POLYGON, SPH_READ_NO_AREA_GRID, 1,
+         1},
+        {CAM MATT "p 3 0 0 0 1 0 0 0 1 0\ntt none 0 0 0 0 0 1e-9 0 0 0 0 0 1 0 0 0\n",
+         SPH_READ_TRIANGLE, SPH_READ_NO_AREA_GRID, 0, 1},
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof once / sizeof *once; i++) {
+        const struct row row = {SPH_READ_SPHERE, "a.nff", once[i].text, 0, BUILD};
+        struct sph_error err = {""};
+        struct sph_ledger ledger = ledger_of(&row, 0, &err);
+        if (err.text[0]) fail_msg("case %zu: %s", i, err.text);
+        if (ledger.row[once[i].used].n != once[i].n_used ||
+            ledger.row[once[i].out].n != once[i].n_out)
+            fail_msg("case %zu: %llu used, %llu left out", i,
+                     (unsigned long long)ledger.row[once[i].used].n,
+                     (unsigned long long)ledger.row[once[i].out].n);
+    }
 }
 
 /* What is printed: from an end on, the first of each kind, and how many. */
@@ -161,6 +276,7 @@ static void test_print(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_rows), cmocka_unit_test(test_print)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_rows), cmocka_unit_test(test_once),
+                                       cmocka_unit_test(test_print)};
     return cmocka_run_group_tests_name("ledger", tests, make_folder, remove_folder);
 }

@@ -3,6 +3,7 @@
 # SPDX-License-Identifier: Apache-2.0
 set -u
 . "$(dirname "$0")/../tap.sh"
+scenes=$(cd "$(dirname "$0")/../../scenes" && pwd)
 cd "$TMP" || exit 1
 mkdir work
 cd work || exit 1
@@ -65,9 +66,13 @@ check "... and build says why" \
     has "^tree     box4: .*, chosen for 80 triangles and 0 spheres\$" auto.txt
 check "... in the report too" json auto.json \
     'r["build"]["tree_why"] == "chosen for 80 triangles and 0 spheres"'
-check "nothing is said of one that was asked for" sh -c "! grep chosen asked.txt"
-check "spheres get nodes of four children" sh -c "'$s' build a.nff -o s.sph |
-    grep '^tree     reinserted: .*, chosen for 0 triangles and 100 spheres'"
+check "nothing is said of one that was asked for" sh -c "! grep -E 'chosen|clocks' asked.txt"
+check "spheres get nodes of four children, by their cost" sh -c "'$s' build a.nff -o s.sph |
+    grep -E '^tree     reinserted: .* [0-9.]+ clocks a pixel in spheres, [0-9.]+ in boxes'"
+# 574 triangles that boxes suit, and more spheres, which stand behind the eye
+{ cat "$scenes/facets/room.nff"; seq 600 | awk '{ print "s", $1 / 100, 1, 6, 0.01 }'; } >more.nff
+check "what most clocks go to decides, not what there is most of" sh -c "'$s' build more.nff \
+    --size 64x48 -o more.sph | grep -E '^tree     box4: .* clocks a pixel in spheres'"
 for way in "--accel bvh4" "--tree reinserted" "--tree balanced" "--tree paper"; do
     # shellcheck disable=SC2086  # options on purpose
     check "four children are asked for by $way" sh -c "'$s' build i.nff $way -o t.sph |
