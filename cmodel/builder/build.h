@@ -41,6 +41,8 @@ struct sph_build_options {
     uint32_t max_prims;               /* BIH: primitives of a leaf that is not cut; 0: 4 */
     uint32_t max_tree_depth;          /* BIH: levels, 1 .. SPH_BIH_STACK + 1; 0: these */
     int bih;                          /* SPH_BIH_FULL, SPH_BIH_LISTING */
+    uint32_t bih_fit;                 /* percent, as sph_bih_options has it; 0: 130 */
+    int paper_grows;                  /* SPH_TREE_PAPER: nodes may be larger than the whole */
     int axes;                         /* SPH_AXES_*: of the grid; auto: axes.h */
     int background;                   /* SPH_BG_* */
     int width, height;                /* 0: the scene file's */

@@ -77,8 +77,8 @@ static int is_used(const struct element *e, const char *name) {
 }
 
 static int take_property(struct ply *p, struct sph_error *err) {
-    struct element *e = &p->element[p->n - 1];
     if (!p->n) return fail(p, "property", "no element before it", err);
+    struct element *e = &p->element[p->n - 1];
     if (e->n == PROPERTIES) return fail(p, "property", "too many of one element", err);
     struct property *q = &e->property[e->n++];
     const char *word = sph_text_word(&p->text);

@@ -36,6 +36,17 @@ const uint32_t *sphaera_machine_memory(const sphaera_machine *machine, uint32_t 
     return machine->machine.mem;
 }
 
+int32_t sphaera_machine_register(const sphaera_machine *machine, int number) {
+    return number >= 0 && number < SPH_N_REGS ? machine->machine.regs[number] : 0;
+}
+
+int sphaera_machine_line(const sphaera_machine *machine, uint32_t line, uint32_t words[8]) {
+    _Static_assert(SPH_LINE_WORDS == 8, "a line of the header");
+    if (!machine || !words || line >= machine->machine.lines) return -1;
+    memcpy(words, sph_line(&machine->machine, line), SPH_LINE_WORDS * sizeof *words);
+    return 0;
+}
+
 int sphaera_machine_parameter(const sphaera_machine *machine, int number,
                               sphaera_parameter *parameter) {
     if (!machine || !parameter || number < 0) return -1;

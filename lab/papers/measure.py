@@ -235,7 +235,7 @@ def scenarios(run):
         if not run.fresh(name + ".png"):
             print("  RUN ", name, flush=True)
             run.run("gen", name, "-n", str(n), "-o", scene)
-            run.run("render", scene, "--size", "160x272", "--depth", "4", "-o",
+            run.run("render", scene, "--size", "640x1088", "--depth", "4", "-o",
                     run.path(name + ".png"))
 
 

@@ -105,7 +105,8 @@ subprocess.run(['$s', 'render', '$oblique', '--frame', '$TMP/f'], check=True,
                stdout=subprocess.DEVNULL)
 data = pictures.ppm('$TMP/o.ppm')[2]
 seen = [int.from_bytes(data[i:i + 3], 'little') for i in range(0, len(data), 3)]
-assert seen == pictures.frame('$TMP/f')[3]"
+frame = pictures.frame('$TMP/f')[3]
+assert seen == frame, [(a, b) for a, b in zip(seen, frame)][:20]"
 else
     echo "ok $((checks += 1)) - # SKIP there is no povray: make truth-setup"
 fi
