@@ -89,7 +89,7 @@
 #define SPHAERA_ERRORS_BUS_ERROR_LSB 3u
 #define SPHAERA_ERRORS_BUS_ERROR 0x00000008u /* memory answered with an error */
 #define SPHAERA_ERRORS_MISSING_EFFECT_LSB 4u
-#define SPHAERA_ERRORS_MISSING_EFFECT 0x00000010u /* EFFECTS or TREE asks for what was not elaborated: nothing is rendered */
+#define SPHAERA_ERRORS_MISSING_EFFECT 0x00000010u /* EFFECTS, TREE or MEM_LINES asks for what is not there: nothing is rendered */
 #define SPHAERA_ERRORS_WRONG_PROFILE_LSB 5u
 #define SPHAERA_ERRORS_WRONG_PROFILE 0x00000020u /* the machine has other widths: nothing is rendered */
 #define SPHAERA_ERRORS_LEFT_OUT_LSB 6u
@@ -321,7 +321,7 @@
     X(SPHAERA_ERRORS_STACK_OVERFLOW, "a tree deeper than the stack") \
     X(SPHAERA_ERRORS_VISIT_LIMIT, "a ray visited VISIT_LIMIT nodes: a cycle in the tree") \
     X(SPHAERA_ERRORS_BUS_ERROR, "memory answered with an error") \
-    X(SPHAERA_ERRORS_MISSING_EFFECT, "EFFECTS or TREE asks for what was not elaborated: nothing is rendered") \
+    X(SPHAERA_ERRORS_MISSING_EFFECT, "EFFECTS, TREE or MEM_LINES asks for what is not there: nothing is rendered") \
     X(SPHAERA_ERRORS_WRONG_PROFILE, "the machine has other widths: nothing is rendered") \
     X(SPHAERA_ERRORS_LEFT_OUT, "the camera is not the one that something is left out for: nothing is rendered") \
     X(SPHAERA_ERRORS_SCENE_SLVERR, "memory answered a read of the scene with SLVERR") \

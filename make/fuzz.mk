@@ -10,7 +10,7 @@
 # `make test` runs those of gcc and clang for some seconds (tests/fuzz/test_fuzz.sh).
 
 FUZZ       := $B/fuzz
-FUZZ_NAMES := nff aff pdb machine frame options image
+FUZZ_NAMES := nff aff pdb machine frame options $(if $(OIIO),image) $(if $(ASSIMP),mesh)
 FUZZ_C     := tests/fuzz/driver.c tests/fuzz/common.c tests/fuzz/driver.c tests/fuzz/scene.c
 AFL_C      := tests/fuzz/afl.c tests/fuzz/common.c tests/fuzz/scene.c
 # The harness of options has the tool in it, parted from glibc's argp, and no pictures.
@@ -80,6 +80,9 @@ $(FUZZ)/$(1)/harness/version.o: cmodel/sphaera/version.c VERSION $B/flags
 $(FUZZ)/$(1)/fuzz_options: $(FUZZ)/$(1)/harness/tool.o $(FUZZ)/$(1)/harness/version.o \
     $$(call fuzz_objects,$(1),$(FUZZ_TOOL))
 $(FUZZ)/$(1)/fuzz_options: FUZZ_MORE = $(FUZZ_WRAP) $$(call pkg,--libs jansson) -ldl
+$(FUZZ)/$(1)/fuzz_mesh: $$(call fuzz_objects,$(1),$(MESH_C))
+$(FUZZ)/$(1)/fuzz_mesh: FUZZ_MORE = -Wl,--wrap=sph_module_load \
+    -Wl,--export-dynamic-symbol=sph_mesh_load $$(call pkg,--libs assimp jansson) -ldl
 $(FUZZ)/$(1)/fuzz_image: $$(call fuzz_objects,$(1),$(FUZZ_IMAGE))
 $(FUZZ)/$(1)/fuzz_image: FUZZ_MORE = $$(IMAGE_LIBS)
 $(FUZZ_NAMES:%=$(FUZZ)/$(1)/fuzz_%): $(FUZZ)/$(1)/fuzz_%: $(FUZZ)/$(1)/harness/harness_%.o \
@@ -98,8 +101,9 @@ $(foreach h,plain gcc clang afl,$(eval $(call fuzz_how,$h)))
          $(foreach h,asan clang,$(patsubst %.c,$B/$h/obj/%.d,$(FUZZ_TOOL)) \
              $(patsubst %.cpp,$B/$h/obj/%.d,$(IMAGE_CXX)))
 
-FUZZ_TESTED := $(foreach h,gcc clang,$(patsubst %,$(FUZZ)/$h/fuzz_%,nff aff pdb machine frame)) \
-               $(patsubst %,$(FUZZ)/plain/fuzz_%,machine options image)
+FUZZ_TESTED := $(foreach h,gcc clang,$(patsubst %,$(FUZZ)/$h/fuzz_%,nff aff pdb machine frame \
+                   $(if $(ASSIMP),mesh))) \
+               $(patsubst %,$(FUZZ)/plain/fuzz_%,machine options $(if $(OIIO),image))
 tests/fuzz/test_fuzz.sh: | $(FUZZ_TESTED)
 
 FUZZ_ASKED := $(or $(HARNESS),$(FUZZ_NAMES))

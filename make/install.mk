@@ -6,14 +6,16 @@
 D       := $B/dist
 SOVERSION = $(firstword $(subst ., ,$(VERSION)))
 SO      := libsphaera.so.$(VERSION)
-to_prefix = $(call values,PREFIX DESTDIR VERSION) BUILD=$B REQUIRES='OpenImageIO $(MODEL_PACKAGES)'
+to_prefix = $(call values,PREFIX DESTDIR VERSION) BUILD=$B REQUIRES='$(if $(OIIO),OpenImageIO )$(MODEL_PACKAGES)'
 LIBRARY_C := $(API_C) $(IMAGE_C) $(LIB_C)
-# The shared one loads OpenImageIO when a picture is asked for; a static one is linked with it.
+# The shared one loads OpenImageIO when a picture is asked for; a static one is linked with it. Both
+# load what reads meshes.
 SHARED_O  := $(call objects,obj/,$(LIBRARY_C) $(LAZY_C))
-STATIC_O  := $(call objects,obj/,$(LIBRARY_C) $(IMAGE_CXX))
-$D/exports: cmodel/sphaera/sphaera.h
+STATIC_O  := $(call objects,obj/,$(LIBRARY_C) $(or $(IMAGE_CXX),$(LAZY_C)))
+# Names of sphaera.h have its version: that of a program built with another one is not found.
+$D/exports: cmodel/sphaera/sphaera.h VERSION
 	@mkdir -p $D
-	$(Q)printf '{ global: sphaera_*; local: *; };\n' >$@
+	$(Q)printf 'SPHAERA_%s { global: sphaera_*; local: *; };\n' $(SOVERSION) >$@
 
 $D/$(SO): $(SHARED_O) $D/exports $B/sources VERSION
 	$(call say,LD,$(@F))
@@ -40,7 +42,7 @@ $D/complete.%: $(TOOL) sim/tool_help.py
 	$(Q)$(beside) && sim/tool_help.py $* $(TOOL) >$$new/new && mv $$new/new $@
 
 .PHONY: library install uninstall
-library: $D/$(SO) $(PICTURE) $D/libsphaera.a ## libsphaera, both kinds, in build/dist
+library: $D/$(SO) $(PICTURE) $(MESHES) $D/libsphaera.a ## libsphaera, both kinds, in build/dist
 	$(Q)$(to_prefix) sh sim/install.sh pc
 
 install: library $(TOOL) $D/man/done $D/complete.bash $D/complete.zsh ## into PREFIX, below DESTDIR

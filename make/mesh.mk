@@ -6,12 +6,15 @@
 
 MESH_VENV := $B/venv/mesh
 
-.PHONY: mesh-setup
+.PHONY: mesh-setup mesh-time
 mesh-setup: ## installs assimp (apt) for meshes, and trimesh (pip) for their tests; makes the tool
 	@sh sim/setup.sh libassimp-dev libjansson-dev python3-venv
 	$(Q)python3 -m venv $(MESH_VENV)
 	$(Q)$(MESH_VENV)/bin/pip install --quiet --disable-pip-version-check trimesh==4.5.3
 	+$(Q)$(MAKE) --no-print-directory tool
+
+mesh-time: $(TOOL) ## what a mesh of a million triangles takes, into docs/reference/scene_format.md
+	$(Q)python3 -m lab mesh-time $(TOOL) $B/mesh-time docs/reference/scene_format.md
 
 MESH_FLAGS = $(call pkg,--cflags assimp jansson | sed 's/-I/-isystem /g')
 $(MESH_C:%.c=$B/obj/%.o): override CFLAGS += $(MESH_FLAGS)

@@ -26,7 +26,7 @@ CLANG_C := bih bih_walk build cones facets_grid leaf_cases limits machine_bih ma
            model_optics motion reference_optics render_texture scene_make scene_optics scene_pdb
 CLANG_RUN := $(CLANG_C:%=$B/test/test_%.clang)
 SUITES  += $(LONG) $(filter-out $(LONG),$(TEST_SH)) \
-           $(TEST_RUN) $(TEST_RUN:%=%.sanitized) $(CLANG_RUN) $B/test/test_image
+           $(TEST_RUN) $(TEST_RUN:%=%.sanitized) $(CLANG_RUN) $(if $(OIIO),$B/test/test_image)
 chosen   = $(if $(findstring $(ONLY),$(notdir $(1))),$(1))
 plain    = $(if $(findstring .,$(ONLY))$(ALL),$(SUITES),$(filter-out %.sanitized %.clang,$(SUITES)))
 RUN      = $(if $(ONLY),$(foreach s,$(plain),$(call chosen,$s)),$(SUITES))

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 
 BUS_VENV := $B/venv/bus
-BUS_PACKAGES := systemrdl-compiler==1.33.0 cocotb==2.1.0 cocotbext-axi==0.1.28
+BUS_PACKAGES := systemrdl-compiler==1.33.0 cocotb==2.1.0 cocotbext-axi==0.1.28 \
+                cffi==2.1.1 numpy==2.4.6 hatchling==1.33.0   # of the package sphaera
 bus_python = $(BUS_VENV)/bin/python
 
 # The harness of rt_top: two machines, each width of the buses.
@@ -17,7 +18,7 @@ top_tool    = flock $B/sim/.tools.lock env -u MAKEFLAGS -u MFLAGS $(MAKE) -s --n
 HD       := $B/top/hd.sph
 hd_core   = $$($(TOOL) info $(HD) | sed -n 's/^core *//p')
 
-.PHONY: top top-shell top-hd bus-setup rdl cocotb
+.PHONY: top top-shell top-hd bus-setup rdl cocotb vip
 top: $(TOP_RUNS) ## rt_top under its driver: frames, errors, resets, silent buses; a minute
 	@mkdir -p $B/sim
 	$(Q)for data in $(TOP_DATA); do \
@@ -41,7 +42,7 @@ top-hd: $(TOOL) ## a frame of 1280x720 from rt_top to decoded video; minutes of 
 	$(Q)$(call top_tool,64) BENCH=tb_show PROFILE=standard CORE=$(hd_core) \
 	    MACHINES=$(HD) SEED= run
 
-bus-setup: ## installs what `make rdl` and `make cocotb` need into build/venv/bus (PyPI)
+bus-setup: ## installs what `make rdl`, `cocotb` and `vip` need into build/venv/bus (PyPI)
 	$(Q)python3 -m venv $(BUS_VENV)
 	$(Q)$(bus_python) -m pip install -q $(BUS_PACKAGES)
 
@@ -58,6 +59,9 @@ cocotb: $B/top/tiny.sph ## rt_top between masters and slaves of cocotbext-axi in
 	    >$B/top/cocotb.log 2>&1 || \
 	    { cat $B/top/cocotb.log; exit 1; }; tail -n 1 $B/top/cocotb.log; done; \
 	    else echo "cocotb: nothing is run, it is absent: make bus-setup"; fi
+
+vip: $(TOOL) library ## the verification IP: its examples, in Verilator and cocotb; 5 minutes
+	@ALL=1 BUILD=$B JOBS=$(JOBS) sh tests/run.sh tests/core/test_vip.sh
 
 $B/top/tiny.sph: scenes/interpenetrating.nff $(TOOL)
 	@mkdir -p $(@D)

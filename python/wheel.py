@@ -38,11 +38,14 @@ class Hook(BuildHookInterface):
     def initialize(self, version, build_data):
         build = os.environ.get("B", "build")
         release = Path(self.root, "VERSION").read_text(encoding="utf-8").strip()
-        made = {f"{build}/dist/libsphaera.so.{release}": "sphaera/libsphaera.so",
-                f"{build}/sphaera_image.so": "sphaera/sphaera_image.so"}
+        made = {f"{build}/dist/libsphaera.so.{release}": "sphaera/libsphaera.so"}
         clean = {k: v for k, v in os.environ.items()
                  if k not in ("MAKEFLAGS", "MFLAGS", "MAKELEVEL", "SPHAERA_JOBS")}
-        subprocess.run(["make", "-s", f"B={build}", *made], cwd=self.root, env=clean, check=True)
+        subprocess.run(["make", "-s", f"B={build}", "library"], cwd=self.root, env=clean, check=True)
+        for part in "image", "mesh":        # each may be missing
+            name = f"sphaera_{part}.so"
+            if Path(self.root, build, name).exists():
+                made[f"{build}/{name}"] = f"sphaera/{name}"
         module = Path(self.root, build, "dist/_declared.py")
         declare(Path(self.root, HEADER), module)
         made[str(module)] = "sphaera/_declared.py"

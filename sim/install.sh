@@ -29,36 +29,78 @@ Libs.private: -pthread -lstdc++ -lm
 END
 }
 
+# What find_package(sphaera) takes: sphaera::sphaera, and with COMPONENTS static sphaera::static.
+write_cmake() { # folder
+    cat >"$1/sphaera-config.cmake" <<END
+get_filename_component(_sphaera "\${CMAKE_CURRENT_LIST_DIR}/../../.." ABSOLUTE)
+if(NOT TARGET sphaera::sphaera)
+  add_library(sphaera::sphaera SHARED IMPORTED)
+  set_target_properties(sphaera::sphaera PROPERTIES
+    IMPORTED_LOCATION "\${_sphaera}/lib/$shared" IMPORTED_SONAME libsphaera.so.$major
+    INTERFACE_INCLUDE_DIRECTORIES "\${_sphaera}/include")
+endif()
+if("static" IN_LIST sphaera_FIND_COMPONENTS AND NOT TARGET sphaera::static)
+  include(CMakeFindDependencyMacro)
+  find_dependency(PkgConfig)
+  find_dependency(Threads)
+  pkg_check_modules(SPHAERA_NEEDS REQUIRED IMPORTED_TARGET $REQUIRES)
+  add_library(sphaera::static STATIC IMPORTED)
+  set_target_properties(sphaera::static PROPERTIES
+    IMPORTED_LOCATION "\${_sphaera}/lib/libsphaera.a"
+    INTERFACE_INCLUDE_DIRECTORIES "\${_sphaera}/include"
+    INTERFACE_LINK_LIBRARIES "PkgConfig::SPHAERA_NEEDS;Threads::Threads;stdc++;m")
+endif()
+set(sphaera_static_FOUND TRUE)
+END
+    cat >"$1/sphaera-config-version.cmake" <<END
+set(PACKAGE_VERSION $VERSION)
+if(PACKAGE_FIND_VERSION_MAJOR STREQUAL "$major" AND
+   NOT PACKAGE_FIND_VERSION VERSION_GREATER $VERSION)
+  set(PACKAGE_VERSION_COMPATIBLE TRUE)
+endif()
+if(PACKAGE_FIND_VERSION VERSION_EQUAL $VERSION)
+  set(PACKAGE_VERSION_EXACT TRUE)
+endif()
+END
+}
+
 case $1 in
 pc) write_pc "$dist/sphaera.pc" ;;
 install)
     install -d "$to/bin" "$to/include/sphaera" "$to/lib/sphaera" "$to/lib/pkgconfig" \
+        "$to/lib/cmake/sphaera" "$to/share/sphaera/vip" \
         "$to/share/man/man1" "$bash" "$zsh"
     install -m 755 "$BUILD/sphaera" "$to/bin"
     for part in image mesh view; do # each may be missing
         [ ! -e "$BUILD/sphaera_$part.so" ] ||
             install -m 755 "$BUILD/sphaera_$part.so" "$to/lib/sphaera/$part.so"
     done
-    install -m 644 cmodel/sphaera/sphaera.h "$to/include/sphaera"
+    install -m 644 cmodel/sphaera/sphaera.h cmodel/sphaera/sphaera.hpp "$to/include/sphaera"
+    install -m 644 vip/*.sv vip/*.py "$to/share/sphaera/vip"
     install -m 755 "$dist/$shared" "$to/lib"
     ln -sf "$shared" "$to/lib/libsphaera.so.$major"
     ln -sf "$shared" "$to/lib/libsphaera.so"
     install -m 644 "$dist/libsphaera.a" "$to/lib"
     write_pc "$to/lib/pkgconfig/sphaera.pc"
-    chmod 644 "$to/lib/pkgconfig/sphaera.pc"
+    write_cmake "$to/lib/cmake/sphaera"
+    chmod 644 "$to/lib/pkgconfig/sphaera.pc" "$to"/lib/cmake/sphaera/*.cmake
     install -m 644 "$dist"/man/*.1 "$to/share/man/man1"
     install -m 644 "$dist/complete.bash" "$bash/sphaera"
     install -m 644 "$dist/complete.zsh" "$zsh/_sphaera"
     ;;
 uninstall)
     for file in bin/sphaera lib/sphaera/image.so lib/sphaera/mesh.so lib/sphaera/view.so \
-        include/sphaera/sphaera.h "lib/$shared" "lib/libsphaera.so.$major" lib/libsphaera.so \
-        lib/libsphaera.a lib/pkgconfig/sphaera.pc; do
+        include/sphaera/sphaera.h include/sphaera/sphaera.hpp \
+        lib/cmake/sphaera/sphaera-config.cmake lib/cmake/sphaera/sphaera-config-version.cmake \
+        "lib/$shared" "lib/libsphaera.so.$major" lib/libsphaera.so lib/libsphaera.a \
+        lib/pkgconfig/sphaera.pc; do
         rm -f "$to/$file"
     done
     rm -f "$bash/sphaera" "$zsh/_sphaera"
     for page in "$dist"/man/*.1; do rm -f "$to/share/man/man1/${page##*/}"; done
-    rmdir "$to/include/sphaera" "$to/lib/sphaera" 2>/dev/null || :
+    for file in vip/*.sv vip/*.py; do rm -f "$to/share/sphaera/$file"; done
+    rmdir "$to/include/sphaera" "$to/lib/sphaera" "$to/lib/cmake/sphaera" "$to/share/sphaera/vip" \
+        "$to/share/sphaera" 2>/dev/null || :
     ;;
 *)
     sed -n 's/^# usage: /usage: /p' "$0" >&2

@@ -41,6 +41,8 @@ struct sph_build_options {
     uint32_t max_prims;               /* BIH: primitives of a leaf that is not cut; 0: 4 */
     uint32_t max_tree_depth;          /* BIH: levels, 1 .. SPH_BIH_STACK + 1; 0: these */
     int bih;                          /* SPH_BIH_FULL, SPH_BIH_LISTING */
+    uint32_t bih_fit;                 /* percent, as sph_bih_options has it; 0: 130 */
+    int paper_grows;                  /* SPH_TREE_PAPER: nodes may be larger than the whole */
     int axes;                         /* SPH_AXES_*: of the grid; auto: axes.h */
     int background;                   /* SPH_BG_* */
     int width, height;                /* 0: the scene file's */
@@ -90,6 +92,11 @@ enum { SPH_BUILD_SHARED = 1000 }; /* primitives from which on threads share a bu
  * costs.
  */
 enum { SPH_BIH_PRIMS = 4 };
+
+/* Whether options make the picture another one on purpose, not by fewer bits or effects. */
+static inline int sph_build_approximate(const struct sph_build_options *o) {
+    return o->least_weight || o->coarse || o->lod_literal;
+}
 
 /* The widths that are asked for. */
 static inline const struct sph_profile *sph_build_profile(const struct sph_build_options *o) {

@@ -9,6 +9,7 @@
 #include "builder/emit.h"
 #include "scene/vector.h"
 #include "shade/surface.h"
+#include "scene/record.h"
 
 enum {
     MANTISSA = SPH_SMOOTH_M_XX_BITS - 1,
@@ -143,7 +144,7 @@ int sph_emit_smooth(const struct sph_scene *scene, const struct sph_grid *grid,
             sph_vec_turn(grid->rotation, from->n[k], normal[k]);
         if (!sph_smooth_put(plants->profile, (const int32_t(*)[3])f->v, f->normal,
                             (const double(*)[3])normal, sph_line(m, base + next))) {
-            if (!flat++) first_flat = from->line;
+            if (!flat++) first_flat = f->scene;
             continue;
         }
         sph_field_set(sph_line(m, (uint32_t)m->regs[SPH_REG_PRIM_BASE] + plants->n_spheres + i),
@@ -151,10 +152,13 @@ int sph_emit_smooth(const struct sph_scene *scene, const struct sph_grid *grid,
     }
     m->lines -= n - next; /* what was kept for those that stay flat */
     m->regs[SPH_REG_MEM_LINES] = (int32_t)m->lines;
+    char first[SPH_PLACE];
     if (flat)
         sph_note(report->warning, sizeof report->warning,
-                 "%s:%u: %u of %u triangles with normals are too small for them and stay flat, "
-                 "this one first\n",
-                 scene->path, first_flat, flat, n);
+                 "%s: %u of %u triangles with normals are too small for them and stay flat, this "
+                 "one first\n",
+                 sph_record_place(first, scene->path, scene->facets[first_flat].line, "triangle",
+                                  first_flat),
+                 flat, n);
     return 0;
 }

@@ -24,7 +24,8 @@ int sph_mips_load(const struct sph_scene *scene, struct sph_mip **mips, struct s
         if (same == i && sph_mip_load(t->path, t->colours, &(*mips)[i], &why)) {
             sph_mips_free(*mips, i);
             *mips = NULL;
-            return sph_fail(err, "%s:%u: texture: %.400s", scene->path, t->line, why.text);
+            return t->line ? sph_fail(err, "%s:%u: texture: %.400s", scene->path, t->line, why.text)
+                           : sph_fail(err, "%s: texture: %.400s", scene->path, why.text);
         }
     }
     return 0;

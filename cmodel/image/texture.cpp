@@ -88,14 +88,22 @@ const char *unfit(const OIIO::ImageSpec &spec) {
     return nullptr;
 }
 
-/* Whether colours are multiplied by alpha, as the reader gives them: what it says itself, then what
- * formats have whose readers say nothing. */
-bool is_multiplied(const OIIO::ImageInput &in, const OIIO::ImageSpec &spec) {
-    static const char *const formats[] = {"webp", "openexr", "tiff", "targa", "psd", "jpegxl"};
+/* Whether colours are multiplied by alpha, as the reader gives them. That is OpenImageIO's rule for
+ * what its reader does not call unassociated, but readers of formats that have no such colours do
+ * not say so. Of whole numbers one colour above its alpha shows that they are not. pixel: of n
+ * channels, colour first. */
+bool is_multiplied(const OIIO::ImageInput &in, const OIIO::ImageSpec &spec,
+                   const std::vector<float> &pixel, std::size_t alpha) {
+    static const char *const plain[] = {"bmp", "ico", "dds"};
+    const float least = 1 / 255.0f; /* what rounding leaves */
+    const std::size_t n = static_cast<std::size_t>(spec.nchannels);
     if (spec.get_int_attribute("oiio:UnassociatedAlpha")) return false;
-    for (const char *format : formats)
-        if (!std::strcmp(in.format_name(), format)) return true;
-    return false;
+    for (const char *format : plain)
+        if (!std::strcmp(in.format_name(), format)) return false;
+    for (std::size_t i = 0; i < pixel.size() && !spec.format.is_floating_point(); i += n)
+        for (std::size_t c = 0; c < alpha; c++)
+            if (pixel[i + c] > pixel[i + alpha] + least) return false;
+    return true;
 }
 
 const float LINEAR = 0, SRGB = -1; /* else the exponent that makes it linear */
@@ -157,7 +165,7 @@ int read_level(const char *path, int colours, OIIO::ImageBuf *to, int *decoded,
     const std::size_t colour[3] = {0, grey ? 0u : 1u, grey ? 0u : 2u};
     const std::size_t alpha = grey ? 1 : 3;
     const bool has_alpha = n > alpha && (grey || spec.alpha_channel == 3);
-    const bool multiplied = has_alpha && is_multiplied(*in, spec);
+    const bool multiplied = has_alpha && is_multiplied(*in, spec, from, alpha);
     const float transfer = transfer_of(spec, colours);
     *decoded = transfer != LINEAR;
     std::vector<float> all(from.size() / n * CHANNELS);

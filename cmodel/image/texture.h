@@ -23,7 +23,7 @@ extern "C" {
  * 0 .. 1. Texels are linear light. colours: SPH_COLOURS_*; by the file it is decoded from sRGB, or
  * from the gamma that the file has, unless the file says that it is linear, or says nothing and has
  * real numbers or whole ones of more than 8 bits. Colour that the file has multiplied by alpha is
- * divided by it.
+ * divided by it, unless some of it is larger than its alpha.
  * Level l + 1 is the box-filtered half of level l, in float; each is rounded once, to bytes.
  * 0; or -1 with file and reason, and nothing to free: missing, no regular file, damaged, no pixels,
  * more than SPH_TEXTURE_SIDE on a side, more bytes than such an image needs, a volume, deep

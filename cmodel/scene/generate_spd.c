@@ -9,6 +9,7 @@
 #include <math.h>
 
 #include "scene/frustum.h"
+#include "scene/vector.h"
 
 /* A scene that grows. */
 struct growth {
@@ -16,10 +17,6 @@ struct growth {
     struct sph_error *err;
     uint32_t groups, material;
 };
-
-static struct sph_vec move(struct sph_vec at, double by, struct sph_vec dir) {
-    return sph_vec_of(at.x + by * dir.x, at.y + by * dir.y, at.z + by * dir.z);
-}
 
 static int add_cone(struct growth *g, struct sph_vec base, double base_rad, struct sph_vec apex,
                     double apex_rad) {
@@ -66,7 +63,7 @@ static int add_jack(struct growth *g, struct sph_vec at, double turn) {
     for (int i = 0; i < 3; i++) {
         double angle = turn + 2 * M_PI * i / 3;
         struct sph_vec dir = {sin(tilt) * cos(angle), cos(tilt), sin(tilt) * sin(angle)};
-        struct sph_vec low = move(at, -reach, dir), high = move(at, reach, dir);
+        struct sph_vec low = sph_vec_add(at, dir, -reach), high = sph_vec_add(at, dir, reach);
         if (add_cone(g, low, thick, high, thick) || add_ball(g, low, 1.6 * thick) ||
             add_ball(g, high, 1.6 * thick))
             return -1;
@@ -108,7 +105,8 @@ int sph_make_lattice(const struct sph_generate_options *o, struct sph_scene *sce
         for (int axis = 0; axis < 3; axis++) {
             struct sph_vec dir = {axis == 0, axis == 1, axis == 2};
             g.material = 2 + (uint32_t)axis;
-            if (cell[axis] < o->size && add_cone(&g, at, 0.06, move(at, 1, dir), 0.06)) return -1;
+            if (cell[axis] < o->size && add_cone(&g, at, 0.06, sph_vec_add(at, dir, 1), 0.06))
+                return -1;
         }
     }
     return 0;
@@ -117,7 +115,7 @@ int sph_make_lattice(const struct sph_generate_options *o, struct sph_scene *sce
 /* A limb that tapers, and from its end two that are turned against each other. */
 static int add_limb(struct growth *g, struct sph_vec at, struct sph_vec dir, double length,
                     int depth, int number) {
-    struct sph_vec end = move(at, length, dir);
+    struct sph_vec end = sph_vec_add(at, dir, length);
     double thick = 0.11 * length;
     g->material = depth ? 10 : 8;
     if (add_cone(g, at, thick, end, depth ? 0.7 * thick : 0)) return -1;

@@ -55,11 +55,6 @@ static void put_point(const struct writer *w, struct sph_vec v) {
     sph_pov_vector(w->file, (double[]){v.x * w->scale, v.y * w->scale, v.z * w->scale});
 }
 
-static struct sph_vec unit(struct sph_vec v) {
-    double n = sph_vec_length(v);
-    return (struct sph_vec){v.x / n, v.y / n, v.z / n};
-}
-
 /* A direction by its word, in pixels. */
 static void put_direction(const struct writer *w, const char *word, struct sph_vec v,
                           double pixels) {
@@ -71,9 +66,9 @@ static void put_direction(const struct writer *w, const char *word, struct sph_v
  * ray through its middle need not be square to it. */
 static void put_camera(const struct writer *w, int width, int height) {
     const struct sph_camera *c = &w->scene->camera;
-    struct sph_vec ahead =
-        unit((struct sph_vec){c->at.x - c->from.x, c->at.y - c->from.y, c->at.z - c->from.z});
-    struct sph_vec right = unit(sph_vec_cross(ahead, c->up)), up = sph_vec_cross(right, ahead);
+    struct sph_vec ahead = sph_vec_unit(sph_vec_sub(c->at, c->from));
+    struct sph_vec right = sph_vec_unit(sph_vec_cross(ahead, c->up)),
+                   up = sph_vec_cross(right, ahead);
     fputs("camera { location ", w->file);
     put_point(w, c->from);
     struct sph_window window = sph_window_of(c, width, height);
@@ -127,14 +122,14 @@ static void put_triangle(const struct writer *w, const struct sph_facet *f) {
         if (k) putc(',', w->file);
         put_point(w, f->v[k]);
         if (!f->smooth) continue;
-        struct sph_vec n = unit(f->n[k]);
+        struct sph_vec n = sph_vec_unit(f->n[k]);
         putc(',', w->file);
         sph_pov_vector(w->file, (double[]){n.x, n.y, n.z});
     }
 }
 
 static void put_plane(const struct writer *w, const struct sph_facet *f) {
-    struct sph_vec n = unit(f->v[1]), p = f->v[0];
+    struct sph_vec n = sph_vec_unit(f->v[1]), p = f->v[0];
     fputs("plane { ", w->file);
     sph_pov_vector(w->file, (double[]){n.x, n.y, n.z});
     putc(',', w->file);

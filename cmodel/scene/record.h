@@ -1,4 +1,4 @@
-/* record.h - records of which nothing is left count as used no more
+/* record.h - where a record stands; those of which nothing is left count as used no more
  * SPDX-License-Identifier: Apache-2.0
  *
  * A reader notes a record as used when it is read. What poses or builds the scene later, and leaves
@@ -8,6 +8,27 @@
 #define SPH_SCENE_RECORD_H
 
 #include "scene/scene.h"
+
+/* "line 12", or where the file has no lines "sphere 11"; with the path before it "a.nff:12", or
+ * "a.stl: triangle 11". The text is the caller's. */
+#define SPH_PLACE 600
+static inline const char *sph_record_line(char text[SPH_PLACE], uint32_t line, const char *what,
+                                          uint32_t number) {
+    if (line)
+        snprintf(text, SPH_PLACE, "line %u", line);
+    else
+        snprintf(text, SPH_PLACE, "%s %u", what, number);
+    return text;
+}
+
+static inline const char *sph_record_place(char text[SPH_PLACE], const char *path, uint32_t line,
+                                           const char *what, uint32_t number) {
+    if (line)
+        snprintf(text, SPH_PLACE, "%s:%u", path, line);
+    else
+        snprintf(text, SPH_PLACE, "%s: %s %u", path, what, number);
+    return text;
+}
 
 /* Zeroed but for the ledger. */
 struct sph_recount {

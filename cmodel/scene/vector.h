@@ -13,6 +13,11 @@ static inline struct sph_vec sph_vec_sub(struct sph_vec a, struct sph_vec b) {
     return (struct sph_vec){a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
+/* a + times b. */
+static inline struct sph_vec sph_vec_add(struct sph_vec a, struct sph_vec b, double times) {
+    return (struct sph_vec){a.x + times * b.x, a.y + times * b.y, a.z + times * b.z};
+}
+
 static inline struct sph_vec sph_vec_cross(struct sph_vec a, struct sph_vec b) {
     return (struct sph_vec){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
@@ -30,6 +35,12 @@ static inline void sph_vec_turn(const double m[9], struct sph_vec v, double out[
 /* Without overflow or underflow on the way. */
 static inline double sph_vec_length(struct sph_vec v) {
     return hypot(hypot(v.x, v.y), v.z);
+}
+
+/* The same direction with length 1; no numbers of a vector without length. */
+static inline struct sph_vec sph_vec_unit(struct sph_vec v) {
+    double length = sph_vec_length(v);
+    return (struct sph_vec){v.x / length, v.y / length, v.z / length};
 }
 
 /* Whether all its numbers may stand in a file. */

@@ -26,16 +26,11 @@ struct sph_window sph_window_of(const struct sph_camera *c, int width, int heigh
         .screen = down / 2 / tan(c->angle * pi / 360)};
 }
 
-static struct sph_vec unit(struct sph_vec v) {
-    double length = sph_vec_length(v);
-    return sph_vec_of(v.x / length, v.y / length, v.z / length);
-}
-
 int sph_camera_move_eye(struct sph_camera *camera, double right, double up, double back,
                         const char *where, struct sph_error *err) {
     struct sph_camera c = *camera;
-    struct sph_vec arm = sph_vec_sub(c.from, c.at), z = unit(arm);
-    struct sph_vec x = unit(sph_vec_cross(c.up, z)), y = sph_vec_cross(z, x);
+    struct sph_vec arm = sph_vec_sub(c.from, c.at), z = sph_vec_unit(arm);
+    struct sph_vec x = sph_vec_unit(sph_vec_cross(c.up, z)), y = sph_vec_cross(z, x);
     double near = sph_vec_length(arm), far = near + back;
     double height = 2 * near * tan(c.angle * pi / 360);
     if (!(far > 0))

@@ -16,8 +16,9 @@ int sphaera_registers(void) {
 
 /* Those of light l, from the names of light 0. */
 #define LIGHT(l)                                                                                   \
-    [SPH_REG_LIGHT0_X + SPH_LIGHT_STRIDE * l] = "LIGHT" #l "_X", "LIGHT" #l "_Y", "LIGHT" #l "_Z", \
-                                           "LIGHT" #l "_R", "LIGHT" #l "_G", "LIGHT" #l "_B"
+    [SPH_REG_LIGHT0_X + SPH_LIGHT_STRIDE * (l)] = "LIGHT" #l "_X", "LIGHT" #l "_Y",                \
+                                           "LIGHT" #l "_Z", "LIGHT" #l "_R", "LIGHT" #l "_G",      \
+                                           "LIGHT" #l "_B"
 
 const char *sphaera_register_name(int number) {
     static const char *const names[SPH_N_REGS] = {
@@ -34,6 +35,17 @@ const int32_t *sphaera_machine_registers(const sphaera_machine *machine) {
 const uint32_t *sphaera_machine_memory(const sphaera_machine *machine, uint32_t *lines) {
     *lines = machine->machine.lines;
     return machine->machine.mem;
+}
+
+int32_t sphaera_machine_register(const sphaera_machine *machine, int number) {
+    return number >= 0 && number < SPH_N_REGS ? machine->machine.regs[number] : 0;
+}
+
+int sphaera_machine_line(const sphaera_machine *machine, uint32_t line, uint32_t words[8]) {
+    _Static_assert(SPH_LINE_WORDS == 8, "a line of the header");
+    if (!machine || !words || line >= machine->machine.lines) return -1;
+    memcpy(words, sph_line(&machine->machine, line), SPH_LINE_WORDS * sizeof *words);
+    return 0;
 }
 
 int sphaera_machine_parameter(const sphaera_machine *machine, int number,

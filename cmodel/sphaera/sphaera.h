@@ -87,6 +87,7 @@ typedef struct sphaera_arrays {
     const char *name;                 /* in messages and in the machine: "arrays" */
     double from[3], at[3], up[3];     /* camera: eye, what it looks at, upwards */
     double angle;                     /* vertical field of view, degrees, within 0..180 */
+    double shift[2];                  /* of the picture on its screen, in its heights: 0 0 */
     int width, height;                /* pixels, 1..16383 */
     double background[3], ambient[3]; /* colours */
     uint32_t n_materials, n_spheres, n_triangles, n_planes, n_lights;
@@ -213,6 +214,12 @@ SPHAERA_API const int32_t *sphaera_machine_registers(const sphaera_machine *mach
 
 /* Memory: *lines times 256 bits, 8 words each, low bits first; in the machine, as the registers. */
 SPHAERA_API const uint32_t *sphaera_machine_memory(const sphaera_machine *machine, uint32_t *lines);
+
+/* One of them: a register, 0 if there is none of this number; the words of a line, -1 if there is
+ * none, and then nothing is written. */
+SPHAERA_API int32_t sphaera_machine_register(const sphaera_machine *machine, int number);
+SPHAERA_API int sphaera_machine_line(const sphaera_machine *machine, uint32_t line,
+                                     uint32_t words[8]);
 
 /* Parameters of rt_core that draws it, by name: widths, and the least of each effect. Number 0, 1,
  * ...; -1 behind the last, and then nothing is written. */
@@ -419,6 +426,92 @@ SPHAERA_API int sphaera_pixel_operand(const sphaera_pixel *pixel, int stage, int
 /* The line that `sphaera info` prints of a stage; stands until the next call of this pixel, and of
  * one thread at a time; NULL behind the last. */
 SPHAERA_API const char *sphaera_pixel_text(sphaera_pixel *pixel, int stage);
+
+/* ---- verification of hardware: a frame of another core against the model's ---- */
+
+/* What a core gives is told as it comes, in any order, by one thread at a time; whoever tells gets
+ * 0 if the model has the same, 1 if not. The text then says where the first difference is, and has
+ * the stages of all rays of its pixel. */
+typedef struct sphaera_scoreboard sphaera_scoreboard;
+
+/* Draws the machine with so many threads, 0: one for every processor. */
+SPHAERA_API int sphaera_scoreboard_new(const sphaera_machine *machine, int threads,
+                                       sphaera_scoreboard **board, sphaera_error *error);
+SPHAERA_API void sphaera_scoreboard_free(sphaera_scoreboard *board); /* may be NULL */
+
+/* A pixel of the pixel port: colours 0xBBGGRR. One outside the window, or that came before, is
+ * a difference. The second takes the colour alone that register FRAME selects, as a frame in memory
+ * has it. */
+SPHAERA_API int sphaera_scoreboard_pixel(sphaera_scoreboard *board, int x, int y,
+                                         uint32_t rendering, uint32_t l1, uint32_t l2, uint32_t id,
+                                         uint64_t key, uint32_t visits, uint32_t texture);
+SPHAERA_API int sphaera_scoreboard_colour(sphaera_scoreboard *board, int x, int y, uint32_t colour);
+
+/* A counter, and the sticky errors, at the end of a frame; counters that the model has not are
+ * never a difference. */
+SPHAERA_API int sphaera_scoreboard_counter(sphaera_scoreboard *board, int number, uint64_t value);
+SPHAERA_API int sphaera_scoreboard_errors(sphaera_scoreboard *board, uint32_t bits);
+
+/* The end of a frame: pixels that did not come are a difference. Returns all of the frame and
+ * expects the next one of the same machine; the text stays until that begins to differ. */
+SPHAERA_API int sphaera_scoreboard_end(sphaera_scoreboard *board);
+
+/* Lines of text on the first difference, empty: there is none; stands until the next call. */
+SPHAERA_API const char *sphaera_scoreboard_text(const sphaera_scoreboard *board);
+
+/* ---- single units of hardware: what each gives, bit for bit ---- */
+
+/* -1 with a message that names an argument out of range; then nothing is written. Formats are those
+ * of the RTL's ports. */
+
+/* rt_unit: v of `bits` bits, 9..32, over its length: u s1.16, scale u1.16, shift. */
+SPHAERA_API int sphaera_model_unit_vector(int bits, const int64_t v[3], int32_t u[3],
+                                          uint32_t *scale, int *shift, sphaera_error *error);
+
+/* rt_isqrt: floor of the root of high * 2^64 + low, high below 2^60; the `bits` most significant
+ * bits of it, 0: all, with zeros behind them; inexact: its square is less. */
+SPHAERA_API int sphaera_model_root(uint64_t high, uint64_t low, int bits, uint64_t *root,
+                                   int *inexact, sphaera_error *error);
+
+/* rt_quotient: key of key_bits over a of a_bits, both above 0: mant * 2^-exp, mant of pq bits. */
+SPHAERA_API int sphaera_model_quotient(uint64_t key, int key_bits, uint64_t a, int a_bits, int pq,
+                                       uint32_t *mant, int *exp, sphaera_error *error);
+
+/* rt_leaf: the exact test of a sphere. */
+typedef struct sphaera_leaf {
+    int64_t origin[3], direction[3], centre[3], radius; /* of up to 24, 31, 24 and 24 bits */
+    uint32_t id, skip_id;  /* of the sphere; of that on which the ray starts, SPHAERA_NONE: none */
+    int skip_inside;       /* the ray starts inside that one */
+    int shadow, inside_on; /* the ray ends at a light; rays may start inside spheres */
+    int pr;                /* significant bits of the root, 0: all */
+} sphaera_leaf;
+typedef struct sphaera_leaf_result {
+    int hit, far, exit;
+    int64_t b;
+    uint64_t disc_low, disc_high; /* 128 bits, two's complement; of a hit without exit */
+    uint64_t key;                 /* of a hit; 0: none */
+} sphaera_leaf_result;
+SPHAERA_API int sphaera_model_leaf(const sphaera_leaf *leaf, sphaera_leaf_result *result,
+                                   sphaera_error *error);
+
+/* rt_filter: whether a child of a node may hold a hit, and the least depth that it reaches. */
+typedef struct sphaera_filter {
+    int32_t origin[3];  /* filter units */
+    int least;          /* 0 x, 1 y, 2 z: the axis that p lies across */
+    int32_t p_a, p_b;   /* s0.17 */
+    int32_t q[3];       /* s0.17 */
+    int axis, negative; /* the largest of |u|, and its sign */
+    int32_t depth_max;  /* nothing deeper matters */
+    int32_t centre[3], radius;
+} sphaera_filter;
+SPHAERA_API int sphaera_model_filter(const sphaera_filter *filter, int *pass, int32_t *near_depth,
+                                     sphaera_error *error);
+
+/* rt_texel_filter: four texels 0xBBGGRR of two levels, (x, y), (x+1, y), (x, y+1), (x+1, y+1), and
+ * weights u0.8 of x+1, of y+1 and of the second level. */
+SPHAERA_API int sphaera_model_texel(const uint32_t near_texels[4], const uint32_t far_texels[4],
+                                    const int near_weights[2], const int far_weights[2], int level,
+                                    uint32_t *texel, sphaera_error *error);
 
 /* ---- what accuracy costs in time (`sphaera price`) ---- */
 

@@ -5,6 +5,7 @@
 #include "common/kind.h"
 #include "builder/warn.h"
 #include "image/image.h"
+#include "image/texture.h"
 #include "image/mips.h"
 #include "validate/describe.h"
 #include "common/number.h"
@@ -69,10 +70,16 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
 static int read_other(const struct arguments *a, enum sph_file_kind kind, struct sph_ledger *ledger,
                       struct sph_error *err) {
     if (kind == SPH_FILE_IMAGE) {
-        struct sph_image image;
-        if (sph_image_read(a->input, &image, err)) return -1;
-        sph_image_free(&image);
-        return sph_ledger_note(ledger, SPH_READ_IMAGE, a->input, 0, err);
+        struct sph_mip mip = {0};
+        struct sph_image picture = {0}; /* of one that is too large to be a texture */
+        struct sph_error why = {""};
+        if (sph_mip_load(a->input, SPH_COLOURS_OF_FILE, &mip, &why) &&
+            sph_image_read(a->input, &picture, NULL))
+            return sph_fail(err, "%s", why.text);
+        sph_image_free(&picture);
+        sph_mip_free(&mip);
+        return sph_ledger_note(ledger, mip.decoded ? SPH_READ_SRGB : SPH_READ_IMAGE, a->input, 0,
+                               err);
     }
     struct sph_scene scene;
     const struct sph_read_options how = {.strict = a->strict};

@@ -34,7 +34,10 @@ static const struct argp_option options[] = {
      1},
     {"error", KEY_ERROR, "PIXELS[,DB]", 0,
      "how far what the eye sees may be off, at most, and the picture: 0.125,45", 1},
-    {"tree", KEY_TREE, "NAME", 0, "bvh4: reinserted (default), balanced or paper", 1},
+    {"tree", KEY_TREE, "NAME", 0,
+     "bvh4: reinserted (default), balanced or paper; paper-grown is that without its rule that no "
+     "node is larger than the sphere around all",
+     1},
     {"refit", KEY_REFIT, "HOW", 0,
      "--frames: every tree is built (off, default), or refitted from that of the frame before "
      "(on); "
@@ -122,8 +125,9 @@ static void check(const struct argp_state *state, const struct tool_source *s) {
 }
 
 static error_t parse(int key, char *arg, struct argp_state *state) {
-    static const char *const trees[] = {"paper", "balanced", "reinserted", NULL};
-    static const int numbers[] = {SPH_TREE_PAPER, SPH_TREE_BALANCED, SPH_TREE_REINSERTED};
+    static const char *const trees[] = {"paper", "balanced", "reinserted", "paper-grown", NULL};
+    static const int numbers[] = {SPH_TREE_PAPER, SPH_TREE_BALANCED, SPH_TREE_REINSERTED,
+                                  SPH_TREE_PAPER};
     static const char *const hows[] = {"nearest", "first", NULL};
     struct tool_source *s = state->input;
     struct sph_error err = {{0}};
@@ -146,6 +150,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         break;
     case KEY_TREE:
         s->build.tree = numbers[tool_choice(state, "--tree", arg, trees)];
+        s->build.paper_grows = !strcmp(arg, "paper-grown");
         s->tree_given = 1;
         break;
     case KEY_REFIT:

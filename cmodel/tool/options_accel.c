@@ -1,11 +1,12 @@
 /* options_accel.c - options of build: what rays go through
  * SPDX-License-Identifier: Apache-2.0
  */
+#include <math.h>
 #include <string.h>
 
 #include "tool/tool.h"
 
-enum { KEY_ACCEL = 384, KEY_MAX_PRIMS, KEY_MAX_TREE_DEPTH, KEY_BIH, KEY_AXES };
+enum { KEY_ACCEL = 384, KEY_MAX_PRIMS, KEY_MAX_TREE_DEPTH, KEY_BIH, KEY_BIH_FIT, KEY_AXES };
 
 static const struct argp_option options[] = {
     {"accel", KEY_ACCEL, "NAME", 0,
@@ -25,6 +26,10 @@ static const struct argp_option options[] = {
     {"bih", KEY_BIH, "HOW", 0,
      "bih: full (default: with the one-child nodes and empty leaves that the thesis counts), or as "
      "its listing says",
+     1},
+    {"bih-fit", KEY_BIH_FIT, "F", 0,
+     "bih: a node whose box is more than F times as long as what is in it says so, 1 to 100 (1.3); "
+     "or infinity: none does",
      1},
     {0},
 };
@@ -59,6 +64,12 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     case KEY_BIH:
         s->build.bih = SPH_BIH_FULL + tool_choice(state, "--bih", arg, ways);
         s->bih_option = "bih";
+        break;
+    case KEY_BIH_FIT:
+        s->build.bih_fit = !strcmp(arg, "infinity")
+                               ? UINT32_MAX
+                               : (uint32_t)lround(100 * tool_real(state, "--bih-fit", arg, 1, 100));
+        s->bih_option = "bih-fit";
         break;
     case ARGP_KEY_END:
         if (s->bih_option && s->accel != TOOL_BIH)

@@ -18,8 +18,7 @@ const char *sph_judge_cannot(const struct sph_scene *scene, const struct sph_bui
         [SPH_REPORT_SPECULAR] = 1, [SPH_REPORT_TEXTURE] = 1, [SPH_REPORT_SPREAD] = 1,
         [SPH_REPORT_LIGHTS] = 1};
     if (o->traverse != SPH_BUILD_NEAREST) return "first hits are not the nearest ones";
-    if (o->least_weight || o->coarse || o->lod_literal)
-        return "options leave out what the scene has";
+    if (sph_build_approximate(o)) return "options leave out what the scene has";
     for (int i = 0; i < SPH_REPORTS; i++)
         if (o->asked[i] == SPH_OFF && !as_asked[i]) return "options leave out what the scene has";
     if (scene->n_spheres + scene->n_facets > SPH_JUDGE_PRIMS) return "there are many primitives";

@@ -11,31 +11,22 @@
 
 static const double degree = 3.14159265358979323846 / 180;
 
-static struct sph_vec add(struct sph_vec a, struct sph_vec b, double times) {
-    return (struct sph_vec){a.x + times * b.x, a.y + times * b.y, a.z + times * b.z};
-}
-
-static struct sph_vec unit(struct sph_vec v) {
-    double length = sph_vec_length(v);
-    return (struct sph_vec){v.x / length, v.y / length, v.z / length};
-}
-
 /* v around a unit axis, counterclockwise as seen from its tip (Rodrigues). */
 static struct sph_vec turned(struct sph_vec v, struct sph_vec axis, double angle) {
     double c = cos(angle);
     struct sph_vec to = {c * v.x, c * v.y, c * v.z};
-    to = add(to, sph_vec_cross(axis, v), sin(angle));
-    return add(to, axis, sph_vec_dot(axis, v) * (1 - c));
+    to = sph_vec_add(to, sph_vec_cross(axis, v), sin(angle));
+    return sph_vec_add(to, axis, sph_vec_dot(axis, v) * (1 - c));
 }
 
 /* A vector around `up`, and then towards it; not onto the poles. */
 static struct sph_vec swung(struct sph_vec v, struct sph_vec up, double around, double towards) {
-    up = unit(up);
+    up = sph_vec_unit(up);
     v = turned(v, up, around);
-    double cosine = sph_vec_dot(unit(v), up);
+    double cosine = sph_vec_dot(sph_vec_unit(v), up);
     double is = acos(fmax(-1, fmin(1, cosine))), least = VIEW_POLE, most = 180 * degree - VIEW_POLE;
     double to = fmax(fmin(least, is), fmin(fmax(most, is), is - towards));
-    return turned(v, unit(sph_vec_cross(v, up)), is - to);
+    return turned(v, sph_vec_unit(sph_vec_cross(v, up)), is - to);
 }
 
 double view_distance(const struct sph_camera *c) {
@@ -43,11 +34,11 @@ double view_distance(const struct sph_camera *c) {
 }
 
 void view_orbit(struct sph_camera *c, double right, double up) {
-    c->from = add(c->at, swung(sph_vec_sub(c->from, c->at), c->up, right, up), 1);
+    c->from = sph_vec_add(c->at, swung(sph_vec_sub(c->from, c->at), c->up, right, up), 1);
 }
 
 void view_look(struct sph_camera *c, double right, double up) {
-    c->at = add(c->from, swung(sph_vec_sub(c->at, c->from), c->up, -right, up), 1);
+    c->at = sph_vec_add(c->from, swung(sph_vec_sub(c->at, c->from), c->up, -right, up), 1);
 }
 
 /* The camera's axes: right, up, back. */
@@ -62,9 +53,9 @@ static int axes(const struct sph_camera *c, struct sph_vec axis[3]) {
 void view_walk(struct sph_camera *c, double right, double up, double forward) {
     struct sph_vec axis[3], by = {0, 0, 0};
     if (!axes(c, axis)) return;
-    by = add(add(add(by, axis[0], right), axis[1], up), axis[2], -forward);
-    c->from = add(c->from, by, 1);
-    c->at = add(c->at, by, 1);
+    by = sph_vec_add(sph_vec_add(sph_vec_add(by, axis[0], right), axis[1], up), axis[2], -forward);
+    c->from = sph_vec_add(c->from, by, 1);
+    c->at = sph_vec_add(c->at, by, 1);
 }
 
 void view_pan(struct sph_camera *c, double right, double down) {
@@ -73,7 +64,7 @@ void view_pan(struct sph_camera *c, double right, double down) {
 }
 
 void view_near(struct sph_camera *c, double factor) {
-    c->from = add(c->at, sph_vec_sub(c->from, c->at), factor);
+    c->from = sph_vec_add(c->at, sph_vec_sub(c->from, c->at), factor);
 }
 
 void view_angle(struct sph_camera *c, double factor) {
@@ -103,7 +94,7 @@ int view_line(const struct sph_camera *c, int width, int height, struct sph_vec 
         double depth = ahead[i];
         if (depth < hither) {
             double part = (hither - depth) / (ahead[1 - i] - depth);
-            at = add(at, sph_vec_sub(end[1 - i], end[i]), part);
+            at = sph_vec_add(at, sph_vec_sub(end[1 - i], end[i]), part);
             depth = hither;
         }
         ends[2 * i] = sph_vec_dot(at, axis[0]) / depth * w->screen - w->left;

@@ -19,6 +19,8 @@ sed 's/^angle.*/angle 27/' "$scenes/far.nff" >"$scenes/sphereflake.nff"
 draw "$scenes/sphereflake.nff" --profile reference --size 640x360 --depth 4 \
     -o "$to/sphereflake.png"
 draw "$scenes/molecule.nff" --size 640x360 -o "$to/molecule.png"
+"$tool" render examples/tutorial/three.nff --profile draft -o "$scenes/three.png"
+oiiotool "$scenes/three.png" --resize:filter=box 384x216 -o "$to/tutorial.png"
 draw scenes/paper100.nff --size 480x270 -o "$to/paper100.png"
 draw scenes/materials.nff --size 480x270 --depth 5 -o "$to/materials.png"
 

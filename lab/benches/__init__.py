@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: Apache-2.0
 import glob
 import os
-import re
 import shutil
 import subprocess
 from collections import Counter
@@ -86,9 +85,8 @@ class Line(Built):
         return glob.glob(f"tb/*/{self.bench}.cpp")[0]
 
     def effort(self):
-        """How hard the compiler works on it, as its head says."""
-        said = re.search(r"^ \* Compiled with (-O.),", text_of(self.source()).split("*/")[0], re.M)
-        return os.environ.get("BENCH_OPT") or (said[1] if said else "-O1")
+        """How hard the compiler works on it."""
+        return os.environ.get("BENCH_OPT") or lists.efforts().get(self.bench, "-O1")
 
     def others(self):
         """Objects and libraries that it is linked with."""

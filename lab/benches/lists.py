@@ -3,6 +3,7 @@
 """A line: configuration, module, bench, parameters of the module / of the bench alone. In it
   each            stands for every profile, a line each; without ALL=1 for the first and the last
   more            before a line: only with ALL=1
+  -O0             before names of benches, no configuration: how the compiler works on them
   NAME@PROFILE    is configuration NAME with the widths of a profile
   W, WD, PQ, NG, FW, PR   alone are the width of the profile; XW=2*W+2*WD is made of them"""
 import re
@@ -44,12 +45,19 @@ def lines_of(name, words, whole, profiles):
         yield " ".join([configuration, *words[:2], *(parameter(w, widths) for w in words[2:])])
 
 
+def efforts():
+    """{bench: option of the compiler} of those that the file says one of."""
+    with open(FILE, encoding="utf-8") as f:
+        lines = [line.split() for line in f if line.startswith("-O")]
+    return {bench: words[0] for words in lines for bench in words[1:]}
+
+
 def listed(whole):
     """whole: of ALL=1. Raises ValueError with file and line."""
     profiles = Definition().profiles
     with open(FILE, encoding="utf-8") as f:
         for at, line in enumerate(f, 1):
-            words = line.split() if not line.startswith("#") else []
+            words = line.split() if not line.startswith(("#", "-O")) else []
             more = words[:1] == ["more"]
             if len(words) < 3 + more and words:
                 raise ValueError(f"{FILE}:{at}: no configuration, module and bench")

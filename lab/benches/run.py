@@ -7,7 +7,7 @@ tb_leaf/standard; of all lines (/, the default) those that are for ALL=1 are lef
 
   BENCH_BUILD  build folder (build); all that is made here lies in its folder tb
   BENCH_JOBS   benches at once (1)
-  BENCH_OPT    compiler's effort (-O1, or what the head of a bench says it is compiled with)
+  BENCH_OPT    compiler's effort (-O1, or what tb/benches.txt says of a bench)
   HARD_CASE    number of a named case: these vectors and no others (tb/hard.h)"""
 import os
 import re

@@ -106,7 +106,7 @@ def benches():
     found = {}
     for line in Path("tb/benches.txt").read_text().splitlines():
         word = line.split("#")[0].removeprefix("more ").split()
-        if word:
+        if word and word[0] != "-O0":
             found.setdefault(word[1], []).append(word[2])
     return found
 
@@ -123,22 +123,20 @@ def _mirror(module):
 
 
 def interface(*modules):
-    """Paragraphs: the parameters of the modules, but for those of the core, whose page has them;
-    then the ports of the first, one paragraph for each heading of the source, its model and its
-    bench."""
+    """A list: the parameters of the modules, but for those of the core, whose page has them; then
+    the ports of the first, for each heading of the source, its model and its bench."""
     core, told = {item.name for item in _read(CORE)[0]}, []
     for module in modules:
         own = [item for item in _read(module)[0] if item.name not in core]
         core.update(item.name for item in own)
-        said = "; ".join(f"{names} = {value}" + f" ({meaning})" * bool(meaning)
-                         for names, value, meaning in _rows(own, lambda item: item.default))
+        said = [f"{names} = {value}" + f" ({meaning})" * bool(meaning)
+                for names, value, meaning in _rows(own, lambda item: item.default)]
         if said:
-            told.append(f"- *{module}*: {said}." if module != modules[0] else f"- {said}.")
+            whose = f" of {module}" * (module != modules[0])
+            told.append(markdown.nested(f"- *parameters{whose}*", said))
     items = [item for item in _read(modules[0])[1] if item.name not in EVERYWHERE]
     for heading, group in groupby(items, lambda item: item.heading):
         payload, memory = _payload(list(group))
-        said = "; ".join([_said(ports) for ports in _merged(payload)] + memory)
-        told.append(f"- *{heading}*: {said}." if heading else f"- {said}.")
+        said = [_said(ports) for ports in _merged(payload)] + memory
+        told.append(markdown.nested(f"- *{heading or 'ports'}*", said))
     return "\n".join(told + _mirror(modules[0]))
-
-

@@ -107,7 +107,7 @@ def budget(module):
     for line in BUDGET.read_text(encoding="utf-8").splitlines():
         word = line.split()
         if word[:1] == [module]:
-            return f"{number(int(word[1]))} MULT18X18D and {number(int(word[2]))} LUT4eq"
+            return f"{number(int(word[1]))} MULT18X18D and {number(int(word[2]))} LUT places"
     raise Unmeasured(f"{BUDGET} has no line for {module}")
 
 

@@ -29,6 +29,13 @@ def entries(rows):
                      for name, meaning in rows)
 
 
+def nested(head, items):
+    """A list below a line of a list; a single item stays in the line."""
+    if len(items) == 1:
+        return f"{head}: {items[0]}"
+    return "\n".join([f"{head}:"] + [f"  - {item}" for item in items])
+
+
 def names(text):
     """Of all regions, in their order."""
     return [match[2] for match in REGION.finditer(text)]

@@ -9,8 +9,8 @@ from pathlib import Path
 from . import blocks, cores, data, markdown, verilog
 
 SHELL = ("rt_top", "rt_core")           # are tried by harnesses of their own
-HEAD = ["block", "design", "verification", "benches", "proofs", "faults drawn, left", "branches, %",
-        "least MHz alone"]
+HEAD = ["block", "what it does", "design", "verification", "benches", "proofs",
+        "faults drawn, left", "branches, %", "least MHz alone"]
 KILLED = 95.0                           # of the faults drawn, %
 
 
@@ -59,6 +59,12 @@ def verification(module, has, proved, faults, left):
     return "V3" if left.get(module) == "0" and module in proved else "V2"
 
 
+def purpose(path):
+    """What the first line of a module's header says."""
+    line = path.read_text(encoding="utf-8").split("\n", 1)[0]
+    return line.partition(" - ")[2].replace("|", "\\|")
+
+
 def table():
     has, proved, budget = blocks.benches(), proofs(), alone()
     killed, left = measured("modules", "killed, %"), measured("modules", "left")
@@ -70,7 +76,7 @@ def table():
         if "board" in path.parts:
             continue
         of = f"{drawn[module]}, {left[module]}" if module in drawn else "-"
-        rows.append([f"`{module}`", design(module, synthesised, budget),
+        rows.append([f"`{module}`", purpose(path), design(module, synthesised, budget),
                      verification(module, has, proved, killed, left),
                      len(has[module]) if module in has else "harness" if module in SHELL else "-",
                      proved.get(module, "-"), of, branches.get(module, "-"),
@@ -82,7 +88,7 @@ def counts():
     """In words: how many blocks are at which stage."""
     rows = [line.split("|")[1:-1] for line in table().splitlines()[2:]]
     said = []
-    for column in (1, 2):
+    for column in (2, 3):
         stages = [row[column].strip() for row in rows]
         said += [f"{stages.count(s)} {s}" for s in sorted(set(stages))]
     return f"{len(rows)} blocks: {', '.join(said)}"

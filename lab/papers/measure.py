@@ -235,7 +235,7 @@ def scenarios(run):
         if not run.fresh(name + ".png"):
             print("  RUN ", name, flush=True)
             run.run("gen", name, "-n", str(n), "-o", scene)
-            run.run("render", scene, "--size", "160x272", "--depth", "4", "-o",
+            run.run("render", scene, "--size", "640x1088", "--depth", "4", "-o",
                     run.path(name + ".png"))
 
 
@@ -263,8 +263,8 @@ def profile(run):
                      f"{100 * spent['sph_traverse'] / spent['sph_render']:.0f}\n")
 
 
-PARTS_OF = {part.__name__: part for part in (operations, search, corrected, shapes, moved, parts, bounces,
-                                             bases, leaves, ways, scenarios, profile)}
+PARTS_OF = {part.__name__: part for part in (operations, search, corrected, shapes, moved, parts,
+                                             bounces, bases, leaves, ways, scenarios, profile)}
 
 
 def main(tool, folder, *names):

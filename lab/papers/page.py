@@ -84,13 +84,13 @@ def operations(folder):
 
 def moved(folder):
     """dB of pictures whose view meets a corner, and of those whose view meets the middle."""
-    rows = []
+    rows = [["scene", "view through a corner, dB", "through the middle, dB"]]
     for name in measure.MOVED:
         oblique, straight = (whole.text(os.path.join(folder, f"{kind}-{name}.psnr")).strip()
                              for kind in ("moved", "straight"))
         rows.append([f"`{name}`", f"{float(oblique):.1f}", f"{float(straight):.1f}"])
     core(folder, "moved-oblique")  # the RTL's frame is the model's
-    return report.table(["scene", "view through a corner, dB", "through the middle, dB"], rows, 1)
+    return rows
 
 
 def shapes(folder):
@@ -233,5 +233,6 @@ def main(page, folder, synth):
         "shaped": values_of(shaped, synth), "park": values_of(park, synth),
         "bound": values_of(bound, folder), "why": values_of(reasons, folder),
         "search": lambda: search(folder), "operations": lambda: operations(folder),
-        "shapes": lambda: shapes(folder), "moved": lambda: moved(folder), "bases": lambda: bases(folder),
+        "shapes": lambda: shapes(folder), "moved": lambda: moved(folder),
+        "bases": lambda: bases(folder),
         "leaves": lambda: leaves(folder)})

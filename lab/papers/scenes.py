@@ -120,4 +120,4 @@ def wider(path, times):
     def angle(said):
         half = math.atan(times * math.tan(math.radians(float(said[2]) / 2)))
         return said[1] + (repr(2 * math.degrees(half)) if times != 1 else said[2])
-    return re.sub(r"\b(angle )([0-9.]+)", angle, text, count=1)
+    return re.sub(r"(?m)^([^#\n]*\bangle )([0-9.]+)", angle, text, count=1)

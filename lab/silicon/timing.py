@@ -15,6 +15,10 @@ STA = "sta"
 PERIOD = 100.0      # ns
 LOOKED_AT = 400     # slowest ends of paths
 PATHS = 10          # that are told, each through other modules than the ones before
+THRESHOLDS = "".join(
+    f"{what}_{edge} : {percent};\n" for edge in ("rise", "fall") for what, percent in
+    (("input_threshold_pct", 50), ("output_threshold_pct", 50), ("slew_lower_threshold_pct", 20),
+     ("slew_upper_threshold_pct", 80)))
 ZERO = "".join(f'{edge}_constraint(scalar) {{ values("0.0"); }} ' for edge in ("rise", "fall"))
 GATE = ("cell (rt_clock_gate) { area : 0;\n"
         "pin (clk) { direction : input; clock : true; capacitance : 0; }\n"
@@ -125,10 +129,11 @@ def run(netlist, library, macros, folder):
         return None
     verilog(netlist, folder)
     intact.write(folder / "macros.lib", "library (macros) {\n"
-                 'time_unit : "1ns"; capacitive_load_unit (1, pf); voltage_unit : "1V"; '
+                 'delay_model : table_lookup; time_unit : "1ns"; voltage_unit : "1V"; '
+                 "capacitive_load_unit (1, pf); "
                  'current_unit : "1mA"; leakage_power_unit : "1nW"; '
                  f"nom_voltage : {library.voltage or 1};\n"
-                 + GATE
+                 + THRESHOLDS + GATE
                  + "".join(macro(f"macro{at}", memory, macros.time(memory), macros.pin(memory))
                            for at, memory in enumerate(netlist.memories)) + "}\n")
     intact.write(folder / "timing.tcl", SCRIPT.format(

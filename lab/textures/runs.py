@@ -118,6 +118,14 @@ def tasks(build):
         found.append(Task(f"{SHOWN}/{name}.png", shown, [
             "oiiotool", *(w for p in shown for w in (p, "--cut", CROP[name])), "--mosaic:pad=2",
             "4x1", "-d", "uint8", "-o", f"{SHOWN}/{name}.png"]))
+    # Figure 2 as the paper has it: its pixels, MIP off and on, as people see light
+    kitchen, halves = ["scenes/texture/kitchen.nff", *images], []
+    for way in "off", "between":
+        halves.append(f"{at}/figure2-{way}.png")
+        of_model(f"figure2-{way}.png", kitchen, "render", "--profile", "standard", "--size", FINE,
+                 "--filter", FILTERS[way], "-o", halves[-1])
+    found.append(Task(f"{SHOWN}/figure2.png", halves, [
+        "oiiotool", *halves, "--mosaic:pad=4", "2x1", "-o", f"{SHOWN}/figure2.png"]))
     for name in page.STALLED:
         source = [f"scenes/texture/{name}.nff", *images]
         for way in DRAWN:

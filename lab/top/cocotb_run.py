@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """NAME=VALUE: parameters of the core. Exits with 1 if a test fails."""
 import re
+import sys
 from pathlib import Path
 
 from cocotb_tools.check_results import get_results
@@ -44,6 +45,7 @@ def wrapper(parameters):
 
 
 def main(folder, machine, frame, data, *parameters):
+    sys.path += [str(Path(name).resolve()) for name in (".", "vip")]  # cocotb hands them on
     sources = sorted(path for path in Path("rtl").rglob("*.v") if "board" not in path.parts)
     runner = get_runner("icarus")
     top = Path(folder, "cocotb_top.v")
@@ -61,7 +63,7 @@ def main(folder, machine, frame, data, *parameters):
                               "MACHINE": str(Path(machine).resolve()),
                               "FRAME": str(Path(frame).resolve()),
                               "RDL": str(Path("docs/reference/rt_top.rdl").resolve()),
-                              "PYTHONPATH": str(Path.cwd()), "COCOTB_LOG_LEVEL": "WARNING"})
+                              "COCOTB_LOG_LEVEL": "WARNING"})
     tests, failed = get_results(results)
     print(f"cocotb, {data} bits: {tests - failed} of {tests} tests passed")
     return failed > 0

@@ -16,13 +16,17 @@ room for OverflowError.
 
 Threads: other Python threads go on while the library reads, builds, draws or traces, and any
 number of them may use the same object."""
+from . import verify
 from ._library import Error, Record, version
-from .frame import Frame
-from .machine import Hit, Machine
+from .frame import Frame, Layers
+from .machine import Hit, Hits, Machine, counter_names, exact_counters, register_names
+from .pixel import Operand, Pixel, Ray, Stage
 from .price import Price, Row
-from .scene import Scene, parse, read
+from .scene import Scene, parse, read, scene_of
+from .verify import Scoreboard
 
 NONE = Frame.NONE
 __version__ = version()
-__all__ = ["Error", "Frame", "Hit", "Machine", "NONE", "Price", "Record", "Row", "Scene", "parse",
-           "read", "version"]
+__all__ = ["Error", "Frame", "Hit", "Hits", "Layers", "Machine", "NONE", "Operand", "Pixel",
+           "Price", "Ray", "Record", "Row", "Scene", "Scoreboard", "Stage", "counter_names",
+           "exact_counters", "parse", "read", "register_names", "scene_of", "verify", "version"]

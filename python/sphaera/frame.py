@@ -2,12 +2,23 @@
 # SPDX-License-Identifier: Apache-2.0
 from functools import cached_property
 from itertools import count, takewhile
-from typing import Any, Dict, Tuple
+from typing import Any, Dict, NamedTuple, Tuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ._library import PathLike, c_text, call, ffi, lib, made, text
+from ._options import filled
+
+
+class Layers(NamedTuple):
+    """Arrays [height, width]; of vectors and colours [height, width, 3]."""
+    texture: NDArray[np.uint32]     # {lod u4.8, 4095: none; sum of texel addresses u20}
+    level: NDArray[np.float32]      # of the image seen first, 0: whole size; -1: none
+    normal: NDArray[np.float32]     # of length 1, in the scene's frame, towards the eye; 0: no hit
+    depth: NDArray[np.float32]      # along the view, units of the scene; infinite: no hit
+    distance: NDArray[np.float32]   # from the eye, the same
+    albedo: NDArray[np.float32]     # of the material, without its image
 
 
 class Frame:
@@ -78,10 +89,32 @@ class Frame:
         """Sticky errors of the drawing, a bit each (docs/reference/core.md); 0: none."""
         return lib.sphaera_frame_errors(self._pointer)
 
-    def write(self, path: PathLike) -> None:
-        """Writes a picture in the format of the name's ending: 8 bits in sRGB, or OpenEXR, linear.
-        Error: another ending, or it cannot be written."""
-        call(lib.sphaera_frame_write, self._pointer, c_text(path))
+    def layers(self) -> "Layers":
+        """What compositing programs ask for, of the primary hit of each pixel."""
+        shape = (self.height, self.width)
+        layers = Layers(np.empty(shape, np.uint32), np.empty(shape, np.float32),
+                        np.empty((*shape, 3), np.float32), np.empty(shape, np.float32),
+                        np.empty(shape, np.float32), np.empty((*shape, 3), np.float32))
+        to = {name: ffi.from_buffer("float[]" if name != "texture" else "uint32_t[]", array)
+              for name, array in zip(Layers._fields, layers)}
+        call(lib.sphaera_frame_layers, self._pointer, ffi.new("sphaera_layers *", to))
+        return layers
+
+    def write(self, path: PathLike, *, layer: int = 2, transfer: str = "srgb",
+              depths: bool = False, samples: int = 0) -> None:
+        """Writes a picture in the format of the name's ending: 8 bits, or OpenEXR, linear, with all
+        layers.
+
+        layer     0 without reflections, 1 with one, 2 all
+        transfer  how bytes stand for light: "srgb", "linear"
+        depths    colours tell how many surfaces one behind another made a pixel
+        samples   a pixel is the mean of N x N; 0: those of build()
+
+        Error: another ending or number, or it cannot be written."""
+        options, kept = filled("sphaera_picture_options", lib.sphaera_picture_init, dict(
+            layer=layer, transfer=transfer, depths=depths, samples=samples))
+        call(lib.sphaera_frame_write_with, self._pointer, c_text(path), options)
+        del kept
 
     def __reduce__(self) -> Tuple[Any, Tuple[Any, bytes]]:
         """Pickles it and its machine, for the same version of the library."""

@@ -1,26 +1,16 @@
-# scene.py - scenes: read from files or from text in memory
+# scene.py - scenes: read from files, from text in memory, or made of arrays
 # SPDX-License-Identifier: Apache-2.0
-from typing import Any, Optional, Union
+from typing import Any, Optional, Sequence, Tuple, Union
 
-from ._library import PathLike, Record, c_text, ffi, lib, made, records
+import numpy as np
+
+from ._library import PathLike, Record, c_text, call, ffi, lib, made, records
+from ._options import Progress, Switch, Told, build_options, filled
 from .machine import Machine
 from .price import Price, price_of
 
-Switch = Optional[bool]  # None: as the scene asks for
-
-
-def options_of(profile: str, accel: str, width: int, height: int, depth: int) -> Any:
-    """Options of build; and the words that they point to, which must live as long."""
-    options = ffi.new("sphaera_build_options *")
-    lib.sphaera_build_init(options)
-    words = [ffi.new("char[]", c_text(word)) for word in (profile, accel)]
-    options.profile, options.accel = words
-    options.width, options.height, options.depth = width, height, depth
-    return options, words
-
-
 class Scene:
-    """A scene in real numbers; of read() or parse()."""
+    """A scene in real numbers; of read(), parse() or scene_of()."""
 
     def __init__(self, pointer: Any) -> None:
         self._pointer = pointer
@@ -40,9 +30,15 @@ class Scene:
         """What became of each record of its file, counted by kind."""
         return records(lib.sphaera_scene_record, self._pointer)
 
+    def write(self, path: PathLike) -> None:
+        """Writes it as NFF, whole or not at all; every number survives. Error: it cannot be
+        written."""
+        call(lib.sphaera_scene_write, self._pointer, c_text(path))
+
     def build(self, *, profile: str = "auto", accel: str = "auto", width: int = 0,
               height: int = 0, depth: int = 2, shadow: Switch = None, reflect: Switch = None,
-              refract: Switch = None, specular: Switch = None, texture: Switch = None) -> Machine:
+              refract: Switch = None, specular: Switch = None, texture: Switch = None,
+              progress: Optional[Progress] = None, **more: Any) -> Machine:
         """The machine: the scene quantised, with its tree; words are those of `sphaera build`.
 
         profile        auto, draft, standard, fine, reference, or with widths: "draft:w=14"
@@ -50,50 +46,69 @@ class Scene:
         width, height  pixels, 1 to 16383; 0: as the scene says
         depth          reflections and refractions one after another, 0 to 10
         shadow ...     True, False, or None: on if the scene asks for it
+        progress       called with done, all; what it returns, if true, cancels the build
+        more           clear, inside, interpenetrate, smooth, spread: True, False, None
+                       lights: the first 0 to 8, None: those that reach something
+                       effects: "all" that the scene names, "met": those that rays of the frame meet
+                       error_pixels, error_psnr: what profile auto keeps
+                       tree, axes, bih, max_prims, max_tree_depth (may be math.inf)
+                       background, bg_points, bg_border, bg_levels
+                       traverse, filter, lod, lod_bits, least_weight
+                       samples: N x N rays a pixel; the frame has N times the sides
 
         Error: a word or number that is none of these, an image that cannot be read, a scene that
-        the profile has no room for."""
-        options, words = options_of(profile, accel, width, height, depth)
-        for name, on in (("shadow", shadow), ("reflect", reflect), ("refract", refract),
-                         ("specular", specular), ("texture", texture)):
-            if on is not None:
-                setattr(options, name, lib.SPHAERA_ON if on else lib.SPHAERA_OFF)
-        machine = made(lib.sphaera_build, lib.sphaera_machine_free, "sphaera_machine",
-                       self._pointer, options)
-        del words
+        the profile has no room for, or "cancelled". TypeError: a keyword that is none of these."""
+        with Told(progress) as told:
+            options, kept = build_options(dict(
+                profile=profile, accel=accel, width=width, height=height, depth=depth,
+                shadow=shadow, reflect=reflect, refract=refract, specular=specular,
+                texture=texture, progress=told.pointer, **more))
+            machine = made(lib.sphaera_build, lib.sphaera_machine_free, "sphaera_machine",
+                           self._pointer, options)
+            del kept
         return Machine(machine)
 
-    def price(self, *, profile: str = "auto", accel: str = "auto", width: int = 0, height: int = 0,
-              depth: int = 2, keep_pixels: float = 0, keep_psnr: float = 0, most: int = 0) -> Price:
+    def price(self, *, keep_pixels: float = 0, keep_psnr: float = 0, most: int = 0,
+              **build: Any) -> Price:
         """What accuracy costs in time, as `sphaera price` tells: a row for each profile, or the one
-        that is named; words as of build().
+        that is named; `build`: words as of build(), without progress.
 
         keep_pixels, keep_psnr   what a row is to keep, as of --error; both 0: its default
         most                     pixels of a sample, 0: the whole frame
 
         Error: as of build(), but a profile that has no room for the scene is a row that says so."""
-        options, words = options_of(profile, accel, width, height, depth)
+        options, kept = build_options(build)
         found = price_of(made(lib.sphaera_price_measure, lib.sphaera_price_free, "sphaera_price",
                               self._pointer, options, keep_pixels, keep_psnr, most))
-        del words
+        del kept
         return found
 
     def __repr__(self) -> str:
         return f"<sphaera.Scene of {self.spheres} spheres, {self.facets} triangles and planes>"
 
 
-def read(path: PathLike, at: int = 0, strict: bool = False) -> Scene:
-    """Reads a scene file (NFF, AFF), a molecule (PDB, mmCIF, XYZ) or points (CSV). at: frame that
-    moving primitives are moved to, 0 to 65535. strict: what is not used as it stands is an Error,
-    in build() too.
-    Where there is no file of this name, it may be a kind of `sphaera gen`, such as "random:256".
+def read(path: PathLike, at: int = 0, strict: bool = False, *, time: Optional[float] = None,
+         round: float = 0,  # pylint: disable=redefined-builtin
+         skip_unsupported: bool = False, progress: Optional[Progress] = None) -> Scene:
+    """Reads a scene file (NFF, AFF), a molecule (PDB, mmCIF, XYZ) or points (CSV). Where there is
+    no file of this name, it may be a kind of `sphaera gen`, such as "random:256".
+
+    at                frame that moving primitives are moved to, 0 to 65535
+    strict            what is not used as it stands is an Error, in build() too
+    time              of AFF: the scene at this time of its own, not at a frame
+    round             cones: greatest distance over the larger radius, 1e-6 to 0.5; 0: 0.005
+    skip_unsupported  leave out patches instead of refusing the scene
+    progress          called with done, all; what it returns, if true, cancels
 
     Error: no such file, or what the file says is no scene, with file, line and field."""
-    options = ffi.new("sphaera_read_options *")
-    lib.sphaera_read_init(options)
-    options.at, options.strict = at, strict
-    return Scene(made(lib.sphaera_scene_read_with, lib.sphaera_scene_free, "sphaera_scene",
-                      c_text(path), options))
+    with Told(progress) as told:
+        options, kept = filled("sphaera_read_options", lib.sphaera_read_init, dict(
+            at=at, strict=strict, timed=time is not None, time=time, round=round,
+            skip_unsupported=skip_unsupported, progress=told.pointer))
+        scene = Scene(made(lib.sphaera_scene_read_with, lib.sphaera_scene_free, "sphaera_scene",
+                           c_text(path), options))
+        del kept
+    return scene
 
 
 def parse(text: Union[str, bytes], name: PathLike = "memory.nff", at: int = 0) -> Scene:
@@ -102,3 +117,87 @@ def parse(text: Union[str, bytes], name: PathLike = "memory.nff", at: int = 0) -
     data = text.encode() if isinstance(text, str) else bytes(text)
     return Scene(made(lib.sphaera_scene_parse, lib.sphaera_scene_free, "sphaera_scene",
                       data, len(data), c_text(name), at))
+
+
+def rows(name: str, given: Any, shape: Tuple[int, ...], dtype: Any = np.float64) -> Any:
+    """An array [n, *shape]; ValueError, by name, if it has another shape."""
+    array = np.ascontiguousarray(given, dtype)
+    if array.size == 0:
+        array = array.reshape((0, *shape))
+    if array.ndim != 1 + len(shape) or array.shape[1:] != shape:
+        raise ValueError(f"{name} has shape {array.shape}, not {('n', *shape)}")
+    return array
+
+
+def numbers(name: str, given: Any, n: int) -> Any:
+    """Numbers of materials, [n]; ValueError, by name, if there are not so many or one is < 0."""
+    array = np.asarray(given)
+    if array.shape != (n,):
+        raise ValueError(f"{name} has shape {array.shape}, not {(n,)}")
+    if n and (array.dtype.kind not in "iu" or array.min() < 0 or array.max() >= 1 << 32):
+        raise ValueError(f"{name} are not whole numbers of 0 or more")
+    return np.ascontiguousarray(array, np.uint32)
+
+
+def scene_of(*, spheres: Any = (), triangles: Any = (), planes: Any = (), materials: Any = None,
+             sphere_materials: Any = None, triangle_materials: Any = None,
+             plane_materials: Any = None, normals: Any = None, lights: Any = (),
+             light_colours: Any = None, eye: Sequence[float] = (0, 0, 1),
+             at: Sequence[float] = (0, 0, 0), up: Sequence[float] = (0, 1, 0), angle: float = 45,
+             shift: Sequence[float] = (0, 0), width: int = 320, height: int = 180,
+             background: Sequence[float] = (0, 0, 0), ambient: Sequence[float] = (0, 0, 0),
+             name: str = "arrays") -> Scene:
+    """A scene of arrays, which are copied.
+
+    spheres    [n, 4]: centre, radius          triangles  [n, 3, 3]: corners
+    planes     [n, 6]: a point, the normal     normals    [n, 3, 3] of the triangles' corners
+    materials  [n, 8]: red green blue Kd Ks Shine T index, `f` of NFF; None: one, white
+    ..._materials   [n]: rows of materials; None: the first
+    lights     [n, 3], at most 8               light_colours  [n, 3]; None: 1 / sqrt(n)
+    eye, at, up, angle   the camera; angle: vertical field of view, degrees
+    shift                of the picture's middle to the right and up, in heights of the picture
+    width, height        pixels                background, ambient   colours, 0 to 1
+
+    Ids are rows of the spheres, then the triangles, then the planes, less those that
+    Scene.records counts as left out.
+
+    Error: a number that no scene may have, by array, row and field. ValueError: another shape."""
+    arrays = ffi.new("sphaera_arrays *")
+    lib.sphaera_arrays_init(arrays)
+    kept = [ffi.new("char[]", c_text(name))]
+    arrays.name = kept[0]
+
+    def put(field: str, array: Any) -> None:
+        kind = "double[]" if array.dtype == np.float64 else "uint32_t[]"
+        kept.append(ffi.from_buffer(kind, array))
+        setattr(arrays, field, kept[-1])
+
+    def put_rows(field: str, given: Any, shape: Tuple[int, ...]) -> int:
+        array = rows(field, given, shape)
+        put(field, array)
+        return len(array)
+
+    n = {}
+    for field, given, shape in (("spheres", spheres, (4,)), ("triangles", triangles, (3, 3)),
+                                ("planes", planes, (6,)), ("materials", materials, (8,)),
+                                ("lights", lights, (3,))):
+        if given is not None:
+            n[field] = put_rows(field, given, shape)
+            setattr(arrays, "n_" + field, n[field])
+    for field, given, of, shape in (("normals", normals, "triangles", (3, 3)),
+                                    ("light_colours", light_colours, "lights", (3,))):
+        if given is not None and put_rows(field, given, shape) != n[of]:
+            raise ValueError(f"{field} are not as many as {of}")
+    for field, given, of in (("sphere_materials", sphere_materials, "spheres"),
+                             ("triangle_materials", triangle_materials, "triangles"),
+                             ("plane_materials", plane_materials, "planes")):
+        if given is not None:
+            put(field, numbers(field, given, n[of]))
+    for field, given in (("from", eye), ("at", at), ("up", up), ("background", background),
+                         ("ambient", ambient)):
+        setattr(arrays, field, [float(x) for x in rows(field, [given], (3,))[0]])
+    arrays.shift = [float(x) for x in rows("shift", [shift], (2,))[0]]
+    arrays.angle, arrays.width, arrays.height = angle, width, height
+    scene = made(lib.sphaera_scene_make, lib.sphaera_scene_free, "sphaera_scene", arrays)
+    del kept
+    return Scene(scene)

@@ -5,6 +5,15 @@
 #include "report.h"
 #include "trials.h"
 
+namespace {
+
+/* Sizes of a core that was given none. */
+#define SIZE_OF(NAME, standard) SIZE_##NAME = (standard),
+enum : uint32_t { SPH_EACH_SIZE(SIZE_OF) };
+#undef SIZE_OF
+
+} // namespace
+
 void Trials::refused() {
     const uint32_t effect = 1u << SPH_ERROR_MISSING_EFFECT, profile = 1u << SPH_ERROR_WRONG_PROFILE;
     Copy other(*now_->scene->machine);
@@ -18,7 +27,7 @@ void Trials::refused() {
     }
     if (random_.percent(60)) {
         const int32_t before = r[SPH_REG_TREE];
-        switch (random_.below(4)) {
+        switch (random_.below(5)) {
         case 0:
             r[SPH_REG_EFFECTS] |=
                 static_cast<int32_t>(1u << (SPH_PARTS + random_.below(32 - SPH_PARTS)));
@@ -28,6 +37,10 @@ void Trials::refused() {
             break;
         case 2:
             r[SPH_REG_N_LIGHTS] = 9 + pick(7);
+            break;
+        case 3: /* more memory than lines of the core have numbers */
+            r[SPH_REG_MEM_LINES] |=
+                1 << (SIZE_LINE_BITS + random_.below(SPH_LINE_BITS - SIZE_LINE_BITS));
             break;
         default:
             r[SPH_REG_TREE] = sph_tree_bih(before) ? SPH_TREE_BOX4 : SPH_TREE_BIH;
@@ -97,7 +110,7 @@ void Trials::register_words() {
 }
 
 void Trials::moved() {
-    const uint32_t bits = 1 + random_.below(25);
+    const uint32_t bits = 1 + random_.below(SIZE_LINE_BITS - 1);
     const Moved other(*now_->scene->machine, random_.below(1u << bits));
     if (!other.machine.mem) return;
     as_model(other.machine, "a machine further on in memory");

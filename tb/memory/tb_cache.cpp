@@ -42,6 +42,9 @@ extern "C" {
 #ifndef GROUP
 #define GROUP 1
 #endif
+#ifndef LINE_BITS
+#define LINE_BITS 26
+#endif
 #ifndef PENDING
 #define PENDING 16
 #endif
@@ -50,7 +53,7 @@ namespace {
 
 using Tag = std::remove_reference_t<decltype(Vrt_cache::req_tag_i)>;
 constexpr uint32_t SETS = LINES / GROUP / WAYS;
-constexpr uint32_t LINE_MASK = (1u << 26) - 1;
+constexpr uint32_t LINE_MASK = (1u << LINE_BITS) - 1;
 constexpr uint64_t WATCHDOG = 20000; /* cycles without any transfer while one is due */
 
 enum Pattern { SWEEP, UNIFORM, CLUSTERED, ONE_SET, ONE_LINE };
@@ -408,7 +411,7 @@ int main(int argc, char **argv) {
                          "clustered: at most 1.1 times the misses of LRU");
 
     const Phase phases[] = {
-        {"uniform over 26 bits", UNIFORM, LINE_MASK, 0, 0, 0, 40, 0, true},
+        {"uniform over all lines", UNIFORM, LINE_MASK, 0, 0, 0, 40, 0, true},
         {"stalls everywhere", CLUSTERED, 2 * LINES, 30, 30, 50, 200, 0, true},
         {"slow client", CLUSTERED, 2 * LINES, 0, 90, 0, 8, 0, false},
         {"slow memory", CLUSTERED, 2 * LINES, 0, 0, 90, 200, 0, false},

@@ -3,7 +3,6 @@
  *
  * Random moves; the bench keeps the three places as pixels. Half of the records are spheres seen
  * from the eye (k*a + b^2 and oc.dir in wide integers), half any bits (the contract's formula).
- * Compiled with -O0, for it has few vectors.
  */
 #include "Vrt_cone.h"
 #include "bench.h"

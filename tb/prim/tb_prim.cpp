@@ -7,7 +7,6 @@
  * a slot has up to four tests under way, whose results come in any order. Now and then all of them
  * are of one sphere and a ray that hits it, so that the queue of roots is full. The default run has
  * to meet every kind with every outcome.
- * Compiled with -O0, for it has few vectors.
  */
 #include "Vrt_prim.h"
 #include "engine/results.h"

@@ -1,7 +1,5 @@
 /* tb_shade.cpp - rt_shade, with all that is inside, against sph_render_pixel()
  * SPDX-License-Identifier: Apache-2.0
- *
- * Compiled with -O0, for it has few vectors.
  */
 #include "Vrt_shade.h"
 

@@ -3,7 +3,6 @@
  *
  * As tb_shade. What is more here: each hit, ray and record goes to the unit of its slot and nowhere
  * else, pixels that end take turns, and a colour comes from the unit that was asked.
- * Compiled with -O0, for it has few vectors.
  */
 #include "Vrt_shades.h"
 

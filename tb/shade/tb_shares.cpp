@@ -4,7 +4,6 @@
  * Every slot follows a pixel: surfaces and background one after another, each with a material,
  * light and highlights, found by a ray of some weight and depth. A vector is a surface that is
  * blended; its pixel's frames are read after it.
- * Compiled with -O0, for it has few vectors.
  */
 #include "Vrt_shares.h"
 #include "bench.h"

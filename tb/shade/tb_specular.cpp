@@ -24,22 +24,34 @@ struct sph_unit unit(int64_t x, int64_t y, int64_t z) {
     return sph_unit(v, (uint64_t)(x * x + y * y + z * z), BITS);
 }
 
-/* Unit vectors along axes: cosines of exactly 1, 0 and -1. */
+/* Normal, to the light, of the ray, power u8.4. A unit vector has length ONE. */
+constexpr struct sph_unit NONE = {{0, 0, 0}, 0, 0}, Y = {{0, ONE, 0}, 0, 0},
+                          Z = {{0, 0, ONE}, 0, 0};
+
+/* Beside the normal Z the cosine of Y and (ONE, y, 0) is y / ONE. */
+constexpr struct sph_unit along(int y) {
+    return {{ONE, y, 0}, 0, 0};
+}
+
+constexpr struct sph_unit down(int z) {
+    return {{0, 0, -z}, 0, 0};
+}
+
 const Vector corners[] = {
-    {{{0, 0, ONE}, 0, 0}, {{0, 0, ONE}, 0, 0}, {{0, 0, -ONE}, 0, 0}, 16, 0, 0},   /* c = 1 */
-    {{{0, 0, ONE}, 0, 0}, {{0, 0, ONE}, 0, 0}, {{0, 0, -ONE}, 0, 0}, 4095, 0, 0}, /* 1 stays 1 */
-    {{{0, 0, ONE}, 0, 0}, {{0, 0, ONE}, 0, 0}, {{0, 0, ONE}, 0, 0}, 16, 0, 0},    /* c = -1: 0 */
-    {{{0, 0, ONE}, 0, 0}, {{0, ONE, 0}, 0, 0}, {{ONE, 0, 0}, 0, 0}, 16, 0, 0},    /* c = 0: 0 */
-    {{{0, 0, ONE}, 0, 0}, {{0, ONE, 0}, 0, 0}, {{ONE, 1, 0}, 0, 0}, 16, 0, 0},    /* the least c */
-    {{{0, 0, ONE}, 0, 0}, {{0, ONE, 0}, 0, 0}, {{ONE, 2, 0}, 0, 0}, 16, 0, 0},    /* the next */
-    {{{0, 0, ONE}, 0, 0}, {{0, ONE, 0}, 0, 0}, {{ONE, 3, 0}, 0, 0}, 4095, 0, 0},  /* far below */
-    {{{0, 0, ONE}, 0, 0}, {{0, ONE, 0}, 0, 0}, {{ONE, 65535, 0}, 0, 0}, 4080, 0, 0}, /* near 1 */
-    {{{0, 0, ONE}, 0, 0}, {{0, ONE, 0}, 0, 0}, {{ONE, 32768, 0}, 0, 0}, 16, 0, 0},   /* a half */
-    {{{0, 0, ONE}, 0, 0}, {{0, ONE, 0}, 0, 0}, {{ONE, 32768, 0}, 0, 0}, 256, 0, 0},  /* 2^-16 */
-    {{{0, 0, ONE}, 0, 0}, {{0, ONE, 0}, 0, 0}, {{ONE, 32768, 0}, 0, 0}, 257, 0, 0},  /* below it */
-    {{{0, 0, ONE}, 0, 0}, {{0, ONE, 0}, 0, 0}, {{ONE, 32768, 0}, 0, 0}, 272, 0, 0},  /* 2^-17 */
-    {{{0, 0, ONE}, 0, 0}, {{0, 0, ONE}, 0, 0}, {{0, 0, -ONE - 1}, 0, 0}, 16, 0, 0},  /* above 1 */
-    {{{0, 0, 0}, 0, 0}, {{0, 0, 0}, 0, 0}, {{0, 0, 0}, 0, 0}, 0, 0, 0},              /* nothing */
+    {Z, Z, down(ONE), 16, 0, 0},      /* c = 1 */
+    {Z, Z, down(ONE), 4095, 0, 0},    /* 1 stays 1 */
+    {Z, Z, Z, 16, 0, 0},              /* c = -1: 0 */
+    {Z, Y, along(0), 16, 0, 0},       /* c = 0: 0 */
+    {Z, Y, along(1), 16, 0, 0},       /* the least c */
+    {Z, Y, along(2), 16, 0, 0},       /* the next */
+    {Z, Y, along(3), 4095, 0, 0},     /* far below */
+    {Z, Y, along(65535), 4080, 0, 0}, /* near 1 */
+    {Z, Y, along(32768), 16, 0, 0},   /* a half */
+    {Z, Y, along(32768), 256, 0, 0},  /* 2^-16 */
+    {Z, Y, along(32768), 257, 0, 0},  /* below it */
+    {Z, Y, along(32768), 272, 0, 0},  /* 2^-17 */
+    {Z, Z, down(ONE + 1), 16, 0, 0},  /* above 1 */
+    {NONE, NONE, NONE, 0, 0, 0},      /* nothing */
 };
 
 Vector make(bench::Random &random) {

@@ -6,7 +6,6 @@
  * surface; in between the word of a pixel is read. Now and then a reset ends all that is under way.
  * The model's cache, given what the unit asks of its cache and what memory answers, says in which
  * clocks miss_o must be high.
- * Compiled with -O0, for it has few vectors.
  */
 #include <deque>
 #include <memory>

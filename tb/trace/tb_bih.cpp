@@ -4,7 +4,7 @@
  * Rays of all slots go through the trees of bih_memory.h. The bench stands in for rt_leaf_unit and
  * rt_closest_hit with the model's functions: records are tested late and in any order. A vector is
  * a ray that is done; events and faults of a phase are counted. All outcomes must have been tried
- * at the end. Compiled with -O0, for it has few vectors.
+ * at the end.
  */
 #include "Vrt_bih.h"
 #include "Vrt_bih___024root.h"

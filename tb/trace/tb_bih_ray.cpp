@@ -5,7 +5,6 @@
  * needs no shadow ray, never: the next ray overwrites it), six words and a start must follow. A
  * vector is a start. First come the ends of directions; a direction of no length comes again and
  * again, since each divider has to take it.
- * Compiled with -O0, for it has few vectors.
  */
 #include <vector>
 #include "Vrt_bih_ray.h"

@@ -5,7 +5,6 @@
  * sph_bih_setup() makes it, and two planes. First all ends of origin, direction and planes, and
  * planes one unit around the origin; then random ones, most of them near. Beside the model's
  * answer: no bound is on the wrong side of the exact a*v/|dir|.
- * Compiled with -O0, for it has few vectors.
  */
 #include <deque>
 #include "Vrt_bih_step.h"

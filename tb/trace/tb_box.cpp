@@ -3,7 +3,6 @@
  *
  * A vector is a ray in a frame, of frame_rays.h, and the planes of a child, of any size. The limit
  * is far away or near the depth at which the ray enters.
- * Compiled with -O0, for it has few vectors.
  */
 #include <deque>
 #include "Vrt_box.h"

@@ -2,7 +2,6 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * A vector is one axis of a ray and of a frame, of frame_rays.h.
- * Compiled with -O0, for it has few vectors.
  */
 #include <deque>
 #include "Vrt_box_axis.h"

@@ -1,7 +1,5 @@
 /* tb_leaf_unit.cpp - rt_leaf_unit, leaf cache, tests and roots, against sph_leaf_visit()
  * SPDX-License-Identifier: Apache-2.0
- *
- * Compiled with -O0, for it has few vectors.
  */
 #include "Vrt_leaf_unit.h"
 

@@ -3,7 +3,6 @@
  *
  * As tb_leaf_unit. What is more here: pipes take turns at their leaf unit and shading units ask one
  * for records; a result or a record comes from the unit of its slot, for nobody else.
- * Compiled with -O0, for it has few vectors.
  */
 #include "Vrt_leaf_units.h"
 

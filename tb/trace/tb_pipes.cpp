@@ -3,7 +3,6 @@
  *
  * As tb_trace. What is more here: each ray stays in the pipe of its slot, results come from each
  * leaf unit and shadow rays from each shading unit in one clock, and rays that are done take turns.
- * Compiled with -O0, for it has few vectors.
  */
 #include "Vrt_pipes.h"
 

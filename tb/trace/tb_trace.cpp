@@ -1,7 +1,5 @@
 /* tb_trace.cpp - rt_trace against sph_traverse(), or with ACCEL against sph_bih_walk()
  * SPDX-License-Identifier: Apache-2.0
- *
- * Compiled with -O0, for it has few vectors.
  */
 #include "Vrt_trace.h"
 

@@ -246,7 +246,7 @@ class VisitRays : public bench::Bench<Vrt_traverse> {
   private:
     /* As many visits of a slot's pixel as no bench makes. */
     void visited(int slot, uint32_t visits) {
-        auto &word = dut.rootp->rt_traverse__DOT__u_visits__DOT__mem[slot];
+        auto &word = dut.rootp->rt_traverse__DOT__u_visits__DOT__g_free__DOT__mem[slot];
         word = (word & ~(uint64_t)0xffffff) | visits;
         slots[slot].pixel = visits;
     }

@@ -147,7 +147,7 @@ static void visit(struct visit *v, uint32_t index, struct sph_aabb space, uint32
 /* Builds and checks; the stats. */
 static struct sph_bih_stats tree(const struct sph_aabb *boxes, uint32_t n, uint32_t max_prims,
                                  uint32_t max_depth, int how) {
-    struct sph_bih_options o = {max_prims, max_depth, how, NULL};
+    struct sph_bih_options o = {max_prims, max_depth, how, NULL, 0};
     struct sph_bih bih;
     struct sph_error err = {{0}};
     if (sph_bih_build(boxes, n, &o, &bih, &err)) fail_msg("%s", err.text);
@@ -271,7 +271,7 @@ static int tell(void *user, int done, int all) {
 /* 4096 primitives, one a leaf: told after each 1024. */
 static void progress(void **state) {
     struct sph_progress to = {tell, NULL, 0, 1};
-    struct sph_bih_options o = {1, SPH_BIH_STACK + 1, SPH_BIH_FULL, &to};
+    struct sph_bih_options o = {1, SPH_BIH_STACK + 1, SPH_BIH_FULL, &to, 0};
     struct sph_error err = {{0}};
     struct sph_bih bih;
     (void)state;

@@ -214,7 +214,7 @@ static void test_bih(void **unused) {
         for (uint32_t prims = 1; prims < 9; prims *= 2)
             for (int how = SPH_BIH_FULL; how <= SPH_BIH_LISTING; how++) {
                 struct sph_aabb boxes[MOST];
-                struct sph_bih_options o = {prims, SPH_BIH_STACK + 1, how, NULL};
+                struct sph_bih_options o = {prims, SPH_BIH_STACK + 1, how, NULL, 0};
                 struct sph_bih bih;
                 struct sph_error err = {{0}};
                 for (int move = 0; move < 3; move++) {

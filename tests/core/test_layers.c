@@ -8,18 +8,7 @@
 #include <math.h>
 
 #include "engine/layers.h"
-
-static struct sph_vec minus(struct sph_vec a, struct sph_vec b) {
-    return (struct sph_vec){a.x - b.x, a.y - b.y, a.z - b.z};
-}
-
-static double dot(struct sph_vec a, struct sph_vec b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-static struct sph_vec plus(struct sph_vec a, struct sph_vec b, double times) {
-    return (struct sph_vec){a.x + b.x * times, a.y + b.y * times, a.z + b.z * times};
-}
+#include "scene/vector.h"
 
 /* What is seen of the only sphere of a scene lies on it, where the normal says, as far ahead as the
  * depth says, in the pixel; nothing else has a layer. How many pixels see it. */
@@ -27,9 +16,9 @@ static int check(const struct sph_scene *scene, const struct sph_machine *m,
                  const struct sph_frame *frame, const struct sph_layer *layers) {
     const struct sph_sphere *ball = scene->spheres;
     const struct sph_camera *c = &scene->camera;
-    struct sph_vec ahead = minus(c->at, c->from), away = plus(ball->ctr, c->from, -1);
-    ahead = plus((struct sph_vec){0, 0, 0}, ahead, 1 / sqrt(dot(ahead, ahead)));
-    double error = 1e-3 * sqrt(dot(away, away));
+    struct sph_vec ahead = sph_vec_sub(c->at, c->from), away = sph_vec_add(ball->ctr, c->from, -1);
+    ahead = sph_vec_add((struct sph_vec){0, 0, 0}, ahead, 1 / sqrt(sph_vec_dot(ahead, ahead)));
+    double error = 1e-3 * sqrt(sph_vec_dot(away, away));
     int seen = 0;
     assert_true(m->grid_log2 < log2(error));
     for (int i = 0; i < frame->width * frame->height; i++) {
@@ -37,15 +26,15 @@ static int check(const struct sph_scene *scene, const struct sph_machine *m,
         struct sph_vec n = {l->normal[0], l->normal[1], l->normal[2]};
         if (!frame->pixels[i].key) {
             assert_true(isinf(l->depth) && l->depth > 0 && l->level == -1);
-            assert_true(dot(n, n) == 0 && l->albedo[0] + l->albedo[1] + l->albedo[2] == 0);
+            assert_true(sph_vec_dot(n, n) == 0 && l->albedo[0] + l->albedo[1] + l->albedo[2] == 0);
             continue;
         }
-        struct sph_vec at = plus(ball->ctr, n, ball->rad), way = minus(at, c->from);
+        struct sph_vec at = sph_vec_add(ball->ctr, n, ball->rad), way = sph_vec_sub(at, c->from);
         double up = 0.5 - (i / frame->width + 0.5) / frame->height;
         double rise = 2 * tan(c->angle * M_PI / 360) * up; /* of the scene's own up, y */
-        assert_true(fabs(dot(n, n) - 1) < 1e-5 && dot(n, way) < error);
-        assert_true(fabs(l->depth - dot(way, ahead)) < error);
-        assert_true(fabs(way.y / dot(way, ahead) - rise) < 1e-3);
+        assert_true(fabs(sph_vec_dot(n, n) - 1) < 1e-5 && sph_vec_dot(n, way) < error);
+        assert_true(fabs(l->depth - sph_vec_dot(way, ahead)) < error);
+        assert_true(fabs(way.y / sph_vec_dot(way, ahead) - rise) < 1e-3);
         for (int k = 0; k < 3; k++) { /* a byte's share of 255 */
             double byte = round(255 * scene->materials[0].rgb[k]);
             assert_true(fabs(l->albedo[k] - byte / 255) < 1e-6);

@@ -42,10 +42,14 @@ def declarations():
     assert all(callable(getattr(lib, name)) for name in names)
     used = "".join(p.read_text(encoding="utf-8") for p in Path(sphaera.__path__[0]).glob("*.py")
                    if p.name != "_declared.py")
-    unused = {name for name in names if name not in used}
-    assert unused == {"sphaera_counter_find"}, unused  # a dictionary finds
+    unused = {name for name in names if not re.search(rf"{name}\b", used)}
+    # others do the same: with options, for all of a list
+    assert unused == {"sphaera_scene_read", "sphaera_render", "sphaera_frame_write",
+                      "sphaera_machine_register", "sphaera_machine_line"}, unused
     lines, expected = [], []
-    for kind in ("sphaera_build_options", "sphaera_hit", "sphaera_error"):
+    structs = re.findall(r"^typedef struct \w+ \{.*?^\} (\w+);", HEADER, re.M | re.S)
+    assert len(structs) > 10
+    for kind in structs:
         lines.append(f"sizeof({kind})")
         expected.append(ffi.sizeof(kind))
         for field, _ in ffi.typeof(kind).fields:
@@ -131,6 +135,239 @@ def ray():
     refused(sphaera.Error, "outside the grid", machine.trace, (0, 0, 1e9), (0, 0, -1))
     refused(sphaera.Error, "no length", machine.trace, (0, 0, 4), (0, 0, 0))
     refused(ValueError, "three numbers", machine.trace, (0, 0), (0, 0, 1))
+
+
+def arrays():
+    """A scene of arrays is that of a file with the same numbers; what is wrong is named."""
+    balls = np.array([[0, 0, 0, 1], [1.5, 0, 0, 0.5]])
+    floor = [[[-4, -1, -4], [4, -1, -4], [0, -1, 5]]]
+    stuff = [[0.9, 0.3, 0.2, 0.7, 0.3, 10, 0, 1], [0.2, 0.3, 0.9, 1, 0, 0, 0, 1]]
+    view = {"eye": (0, 1, 9), "angle": 40, "shift": (0.1, -0.2), "width": 64, "height": 48}
+    scene = sphaera.scene_of(spheres=balls, sphere_materials=[1, 0], triangles=floor,
+                             materials=stuff, planes=[[0, -2, 0, 0, 1, 0]], lights=[[4, 6, 8]],
+                             background=(0.1, 0.2, 0.3), **view)
+    assert (scene.spheres, scene.facets) == (2, 2)
+    text = ("v from 0 1 9 at 0 0 0 up 0 1 0 angle 40 shift 0.1 -0.2 resolution 64 48\n"
+            "b 0.1 0.2 0.3\nl 4 6 8\n"
+            "f 0.2 0.3 0.9 1 0 0 0 1\ns 0 0 0 1\nf 0.9 0.3 0.2 0.7 0.3 10 0 1\ns 1.5 0 0 0.5\n"
+            "p 3 -4 -1 -4 4 -1 -4 0 -1 5\nplane 0 -2 0 0 1 0\n")
+    machine = scene.build(profile="fine")
+    assert machine.render().hash == sphaera.parse(text).build(profile="fine").render().hash
+    scene.write("arrays.nff")
+    assert sphaera.read("arrays.nff").build(profile="fine").render().hash == machine.render().hash
+    make, nan = sphaera.scene_of, float("nan")
+    for pattern, words in (
+            (r"spheres\[1\]: radius is 0", {"spheres": [[0, 0, 0, 1], [0, 0, 0, 0]]}),
+            (r"spheres\[0\]: y is nan", {"spheres": [[0, nan, 0, 1]]}),
+            (r"sphere_materials\[0\]: 2 is none of 2", {"spheres": balls[:1],
+                                                        "sphere_materials": [2],
+                                                        "materials": stuff}),
+            (r"triangles\[0\]: corner 2 z is inf", {"triangles": [[[0, 0, 0], [1, 0, 0],
+                                                                   [0, 1, float("inf")]]]}),
+            (r"materials\[0\]: T is 2, not within", {"materials": [[0] * 6 + [2, 1]]}),
+            (r"planes\[0\]: the normal is zero", {"planes": [[0] * 6]}),
+            (r"lights: 9 of them", {"lights": [[0, 0, 0]] * 9}),
+            (r"light_colours\[0\]: green is negative", {"lights": [[0, 0, 0]],
+                                                        "light_colours": [[1, -1, 0]]}),
+            (r"background: red is 7", {"background": (7, 0, 0)}),
+            (r"camera: from.x is nan", {"eye": (nan, 0, 0)}),
+            (r"camera: .*angle", {"angle": 0}),
+            (r"camera: .*", {"width": 0})):
+        refused(sphaera.Error, pattern, make, **words)
+    refused(ValueError, r"spheres has shape \(1, 3\)", make, spheres=[[0, 0, 1]])
+    refused(ValueError, "normals are not as many", make, triangles=floor,
+            normals=np.zeros((2, 3, 3)))
+    refused(ValueError, "sphere_materials are not whole", make, spheres=balls,
+            sphere_materials=[0.5, 1])
+
+
+def batches():
+    """Rays by the array are the rays one by one, and those of a frame."""
+    for accel in ("bvh4", "bih", "box4", "brute"):
+        machine = sphaera.read(f"{ROOT}/scenes/paper100.nff").build(
+            profile="standard", accel=accel, width=48, height=32, depth=0, lights=0, inside=False)
+        frame = machine.render()
+        rays = [machine.primary(x, y) for y in range(32) for x in range(48)]
+        org, to = (np.array(part) for part in zip(*rays))
+        for threads in (1, 2):
+            hits = machine.trace_rays(org, to, threads)
+            assert (hits.id == frame.id.ravel()).all() and (hits.key == frame.key.ravel()).all()
+            assert (hits.visits == frame.visits.ravel()).all()
+            assert not hits.inside.any() and (hits.distance[hits.key > 0] > 0).all()
+    rng = np.random.default_rng(1)
+    org, to = rng.uniform(-2, 2, (200, 3)), rng.normal(size=(200, 3))
+    first = machine.trace_rays(org, to)
+    i = int(np.flatnonzero(first.key)[0])  # from within the ball that it hits
+    org[0], to[0] = org[i] + to[i] / np.linalg.norm(to[i]) * (first.distance[i] + 0.01), to[i]
+    hits = machine.trace_rays(org, to)
+    for i, one in enumerate(map(machine.trace, org, to)):
+        many = None if hits.id[i] == sphaera.NONE else (
+            hits.id[i], hits.inside[i], hits.key[i], hits.distance[i], hits.visits[i])
+        assert (one and (one[0], one[1], one[2], one[3], one[5])) == many, (i, one, many)
+    assert hits.inside.any() and (hits.id == sphaera.NONE).any()
+    assert len(machine.trace_rays(np.empty((0, 3)), np.empty((0, 3))).id) == 0
+    to[7] = 0
+    refused(sphaera.Error, r"directions\[7\] has no length", machine.trace_rays, org, to)
+    org[5] = 1e9
+    refused(sphaera.Error, r"origins\[5\] lies outside the grid", machine.trace_rays, org, to)
+    refused(sphaera.Error, "threads is 2000", machine.trace_rays, org, to, 2000)
+    refused(ValueError, r"\(200, 3\) and directions \(3,\)", machine.trace_rays, org, to[0])
+    refused(sphaera.Error, "x is 48, not 0 to 47", machine.primary, 48, 0)
+
+
+def options():
+    """Every option of build does something or is refused by name; calls are watched, cancelled."""
+    scene = sphaera.read(PAPER5)
+    size = {"profile": "standard", "width": 64, "height": 48}
+    plain = scene.build(**size)
+    for words in ({"background": "spans", "bg_points": 32, "bg_border": 2},
+                  {"background": "exact", "bg_levels": 1}, {"tree": "paper"}, {"lights": 0},
+                  {"accel": "bih", "max_prims": 1, "max_tree_depth": 8, "bih": "listing"},
+                  {"accel": "box4", "axes": "scene"}, {"least_weight": 0.5}, {"inside": True},
+                  {"traverse": "first", "inside": True, "interpenetrate": True},
+                  {"samples": 2}):
+        other = scene.build(**size, **words)
+        assert other.registers.tolist() != plain.registers.tolist() or \
+            other.memory.tolist() != plain.memory.tolist(), words
+    assert scene.build(**size, samples=2).width == 128
+    ball = sphaera.scene_of(spheres=[[0, 0, 0, 1], [0, 0, -4, 1]], lights=[[0, 0, 9]],
+                            eye=(0, 0, 5))  # whose shadow nobody sees
+    assert ball.build().parameters["SHADOW"] == 1
+    assert ball.build(effects="met").parameters["SHADOW"] == 0
+    for pattern, words in (("bg_points is for background 'spans'", {"bg_points": 16}),
+                           ("bg_points is 3, not 4 to 4096", {"background": "spans",
+                                                              "bg_points": 3}),
+                           ("bg_levels is for", {"bg_levels": 1}),
+                           ("tree is 'oak'", {"tree": "oak"}),
+                           ("max_prims is for accel 'bih'", {"max_prims": 2}),
+                           ("filter is 'x', none of nearest, bilinear", {"filter": "x"}),
+                           ("lights is 9, not -1 to 8", {"lights": 9}),
+                           ("least_weight is nan", {"least_weight": float("nan")}),
+                           ("samples is 17", {"samples": 17}), ("clear is 3", {"clear": 3}),
+                           ("error_pixels is -1", {"error_pixels": -1}),
+                           ("lod_bits is 9", {"lod_bits": 9}),
+                           ("interpenetrate on: ", {"interpenetrate": True})):
+        refused(sphaera.Error, pattern, scene.build, **words)
+    refused(TypeError, "shades is none of accel, ", scene.build, shades=1)
+    told = []
+    machine = scene.build(**size, progress=lambda done, all_: told.append((done, all_)))
+    machine.render(progress=lambda done, all_: told.append((done, all_)))
+    assert len(told) > 3 and all(0 <= done <= all_ for done, all_ in told)
+    refused(sphaera.Error, "^cancelled$", scene.build, progress=lambda *_: True)
+    refused(sphaera.Error, "^cancelled$", machine.render, progress=lambda *_: True)
+    sphaera.read("random:3000").write("long.nff")
+    refused(sphaera.Error, "^cancelled$", sphaera.read, "long.nff", progress=lambda *_: True)
+    refused(ZeroDivisionError, "", machine.render, progress=lambda *_: 1 / 0)
+    frames = {way: machine.render(traverse=way) for way in ("fast", "literal", "brute", "packets")}
+    assert frames["literal"].hash == frames["fast"].hash == machine.render().hash
+    assert all((f.rgb() == frames["fast"].rgb()).all() for f in frames.values())
+    refused(sphaera.Error, "traverse is 'slow'", machine.render, traverse="slow")
+    refused(sphaera.Error, "time is for AFF", sphaera.read, PAPER5, time=1.0)
+    refused(sphaera.Error, "round is 2", sphaera.read, PAPER5, round=2)
+
+
+def core():
+    """Registers, memory and parameters are those of the files that the tool exports."""
+    machine = sphaera.read(PAPER5).build(profile="draft", width=32, height=20)
+    machine.export("hex", "five")
+    words = [int(line, 16) for line in Path("five.regs.hex").read_text().splitlines()
+             if not line.startswith("//")]
+    assert words == [int(w) & 0xffffffff for w in machine.registers]
+    lines = [line for line in Path("five.mem.hex").read_text().splitlines()
+             if not line.startswith("//")]
+    assert lines == ["".join(f"{w:08x}" for w in line[::-1]) for line in machine.memory]
+    head = Path("five.mem.hex").read_text().splitlines()[2:4]
+    said = {k: int(v) for line in head for k, v in re.findall(r"(\w+)=(\d+)", line)}
+    assert said == {k: v for k, v in machine.parameters.items() if v or k in said}
+    assert machine.core.startswith("shadow+") and machine.parameters["SHADOW"] == 1
+    again = sphaera.Machine.make(machine.registers, machine.memory)
+    assert again.render().hash == machine.render().hash
+    names = sphaera.register_names()
+    assert names[0] == "EFFECTS" and names[32] == "LIGHT0_X" and names[40] == "LIGHT1_X"
+    broken = machine.registers.copy()
+    broken[names.index("FRAME_W")] = 0
+    refused(sphaera.Error, "register FRAME_W", sphaera.Machine.make, broken, machine.memory)
+    refused(sphaera.Error, "n_registers is 3", sphaera.Machine.make, [1, 2, 3], machine.memory)
+    assert "node_visits" in sphaera.exact_counters() and \
+        "cycles" not in sphaera.exact_counters()
+    refused(sphaera.Error, "format is 'b'", machine.export, "b", "x")
+
+
+def stages():
+    """A pixel's rays and stages are what `sphaera info` prints; layers are the frame's."""
+    machine = sphaera.read(PAPER5).build(profile="standard", width=64, height=48)
+    machine.write("pixel.sph")
+    said = subprocess.run([TOOL, "info", "pixel.sph", "--pixel", "30,24", "--stages"], check=True,
+                          text=True, stdout=subprocess.PIPE).stdout
+    pixel = machine.pixel(30, 24)
+    assert "\n".join(stage.text for stage in pixel.stages) in said
+    frame, primary = machine.render(), pixel.rays[0]
+    assert primary.kind == "primary" and primary.parent is None
+    assert primary.id == frame.id[24, 30] and primary.key == frame.key[24, 30]
+    key = next(o for s in pixel.stages if s.name == "hit" and s.ray == 0 for o in s.operands
+               if o.name == "key")
+    assert key.word == primary.key and key.bits == 35 and key.value > 0
+    refused(sphaera.Error, "y is 48, not 0 to 47", machine.pixel, 0, 48)
+    layers = frame.layers()
+    none = frame.id == sphaera.NONE
+    assert np.isinf(layers.distance[none]).all() and (layers.normal[none] == 0).all()
+    assert np.allclose(np.linalg.norm(layers.normal[~none], axis=1), 1, atol=1e-5)
+    assert (layers.distance >= layers.depth)[~none].all() and (layers.level == -1).all()
+    ball = sphaera.scene_of(spheres=[[0, 0, 0, 1]], eye=(0, 0, 5), angle=20, width=9, height=9)
+    middle = ball.build(profile="fine").render().layers()
+    assert abs(middle.distance[4, 4] - 4) < 0.01 and middle.normal[4, 4][2] > 0.99
+    assert (middle.albedo[4, 4] == 1).all() and (middle.texture[4, 4] >> 20) == 4095
+
+
+def verify():
+    """A scoreboard takes the model's own pixels, and names whatever differs."""
+    machine = sphaera.read(PAPER5).build(profile="draft", width=8, height=6)
+    frame, texture = machine.render(), machine.render().layers().texture
+    colours = [frame.rgb(layer).astype(int) @ [1, 1 << 8, 1 << 16] for layer in range(3)]
+    places = [(x, y) for y in range(6) for x in range(8)][::-1]
+
+    def show(board, x, y, **changed):
+        fields = {"colours": [int(c[y, x]) for c in colours], "id": int(frame.id[y, x]),
+                  "key": int(frame.key[y, x]), "visits": int(frame.visits[y, x]),
+                  "texture": int(texture[y, x]), **changed}
+        return board.pixel(x, y, **fields)
+    board = sphaera.Scoreboard(machine)
+    for _ in range(2):  # frames
+        assert all(show(board, x, y) for x, y in places)
+        assert board.counters(frame.counters) and board.errors(0)
+        assert board.end() == 0 and board.text == ""
+    assert all(board.colour(x, y, int(colours[2][y, x])) for x, y in places) and board.end() == 0
+    hit = next((x, y) for x, y in places if frame.key[y, x])
+    for pattern, tell in (
+            ("key .*<--(.|\n)*primary [|] set-up", lambda: show(board, *hit, key=1)),
+            ("rendering .*<--", lambda: show(board, *hit, colours=[1, 2, 3])),
+            ("comes a second time", lambda: show(board, 0, 0) and show(board, 0, 0)),
+            ("9,0 lies outside the window", lambda: board.colour(9, 0, 0)),
+            ("counter node_visits: 1, expected", lambda: board.counters({"node_visits": 1})),
+            ("sticky errors: 4, expected 0", lambda: board.errors(4)),
+            ("48 of 48 pixels did not come, the first of them is 0,0", lambda: False)):
+        assert not tell()
+        assert board.end() >= 1 and re.search(pattern, board.text), board.text
+    assert board.counters({"cycles": 5})
+    refused(KeyError, "nosuch", board.counters, {"nosuch": 1})
+    v = sphaera.verify
+    assert v.root(10) == (3, True) and v.root(1 << 100) == (1 << 50, False)
+    u = v.unit_vector(17, (3, 0, 4))[0]
+    assert abs(u[0] / 65536 - 0.6) < 1e-4 and u[1] == 0 and abs(u[2] / 65536 - 0.8) < 1e-4
+    mant, exp = v.quotient(3, 8, 2, 8, 12)
+    assert mant * 2.0 ** -exp == 1.5
+    hit = v.leaf((0, 0, 0), (0, 0, -100), (0, 0, -50), 10)
+    assert hit.hit and not hit.far and hit.key == 4000
+    assert v.texel([0x102030] * 4, [0x102030] * 4, (7, 9), (1, 2), 77) == 0x102030
+    assert v.node_filter(origin=(0, 0, 0), least=0, p_a=0, p_b=0, q=(0, 0, 0), axis=2, negative=1,
+                         depth_max=1000, centre=(0, 0, -100), radius=9)[0]
+    refused(sphaera.Error, "bits is 8, not 9 to 32", v.unit_vector, 8, (1, 2, 3))
+    refused(sphaera.Error, "v is 256, not -256 to 255", v.unit_vector, 9, (256, 2, 3))
+    refused(sphaera.Error, "high has more than 60 bits", v.root, 1 << 124)
+    refused(sphaera.Error, "a is 0", v.quotient, 1, 8, 0, 8, 12)
+    refused(sphaera.Error, "radius is -1", v.leaf, (0, 0, 0), (0, 0, 1), (0, 0, 0), -1)
+    refused(sphaera.Error, "least is 3", v.node_filter, least=3)
+    refused(sphaera.Error, "level is 256", v.texel, [0] * 4, [0] * 4, (0, 0), (0, 0), 256)
 
 
 def errors():
@@ -267,6 +504,6 @@ def interrupts():
 
 
 if __name__ == "__main__":  # a child that is spawned reads this file too
-    for promise in (declarations, words, frames, ray, errors, threads, strict, pickled, children,
-                    interrupts):
+    for promise in (declarations, words, frames, ray, arrays, batches, options, core, stages,
+                    verify, errors, threads, strict, pickled, children, interrupts):
         promise()

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # Synthesises the standard core without any effect if a source changed, and shows that the check
-# can fail: a budget that is one multiplier or one LUT short, or names what is not there, is
+# can fail: a budget that is one multiplier or one place short, or names what is not there, is
 # noticed. Then: what a core is not built for is not in it, by the modules of the elaborated core.
 #   ALL=1  the core with everything, one of profile reference, rt_boxes and blocks of rt_top (`make
 #          budget`)
@@ -36,12 +36,13 @@ if [ -n "${ALL:-}" ]; then
     held reference shadow+reflect2+lights3+inside synth/budget_reference.txt
     # shellcheck disable=SC2086  # options: none or some
     cat synth/budget_top.txt synth/budget_boxes.txt >"$TMP/modules"
-    while read -r module most_mult most_lut more; do
+    while read -r module most_mult most_places more; do
         case $module in rt_*) ;; *) continue ;; esac
-        sh synth/module.sh "$module" $more | tr -d '|' | {
-            read -r mult lut rest
-            fits="$module: $mult of $most_mult MULT18X18D, $lut of $most_lut LUT4eq"
-            [ "${rest:+$((mult <= most_mult && lut <= most_lut))}" = 1 ] &&
+        sh synth/module.sh "$module" $more | sed 's/^|[^|]*//; s/|//g' | {
+            read -r mult lut _ _ dpr
+            places=$((lut + 6 * dpr))
+            fits="$module: $mult of $most_mult MULT18X18D, $places of $most_places LUT places"
+            [ "${dpr:+$((mult <= most_mult && places <= most_places))}" = 1 ] &&
                 echo "ok ecp5 - $fits" || echo "not ok ecp5 - $fits"
         } >>"$TMP/lines"
     done <"$TMP/modules"
@@ -58,14 +59,14 @@ budget() { python3 -m lab budget "$@"; }
 over() { ! budget "$run" "$1" && [ "$2" = "$(budget "$run" "$1" | grep -c '^not ok')" ]; }
 core=$(sed -n 's/.* none: rt_core: \([0-9]*\) of [0-9]* MULT18X18D, \([0-9]*\) of .*/\1 \2/p' \
     "$TMP/lines")
-mult=${core% *} lut4eq=${core#* }
-echo "rt_core $mult $lut4eq" >"$TMP/exact"
+mult=${core% *} places=${core#* }
+echo "rt_core $mult $places" >"$TMP/exact"
 check "what the core takes is within a budget of just that" \
     python3 -m lab budget "$run" "$TMP/exact"
-echo "rt_core $((mult - 1)) $lut4eq" >"$TMP/multiplier"
+echo "rt_core $((mult - 1)) $places" >"$TMP/multiplier"
 check "one multiplier too many is noticed" over "$TMP/multiplier" 1
-echo "rt_core $mult $((lut4eq - 1))" >"$TMP/lut"
-check "one LUT4 too many is noticed" over "$TMP/lut" 1
+echo "rt_core $mult $((places - 1))" >"$TMP/place"
+check "one LUT place too many is noticed" over "$TMP/place" 1
 echo "rt_nowhere 1 1" >"$TMP/nowhere"
 check "a module that is gone is noticed" over "$TMP/nowhere" 1
 check "no latch" sh -c "! grep '^Latch inferred' '$run/log'"

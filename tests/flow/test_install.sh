@@ -24,10 +24,14 @@ declared() {
 }
 declared >"$TMP/declared"
 check "the header declares functions" has '^sphaera_render$' "$TMP/declared"
+major=${version%%.*}
+check "its names have version SPHAERA_$major" sh -c "nm -D '$usr/lib/libsphaera.so' |
+    grep -q ' sphaera_render@@SPHAERA_$major\$'"
 for how in "-D $usr/lib/libsphaera.so" "-g $usr/lib/libsphaera.a"; do
     # shellcheck disable=SC2086  # two words
     check "${how##*/} exports them and nothing else" sh -c "nm ${how%% *} --defined-only \
-        '${how#* }' | awk 'NF == 3 { print \$3 }' | grep -v OpenImageIO | sort |
+        '${how#* }' | awk 'NF == 3 && \$2 != \"A\" { print \$3 }' |
+        sed 's/@.*//' | grep -v OpenImageIO | sort |
         diff '$TMP/declared' -"
 done
 
@@ -38,6 +42,10 @@ compile() { # compiler, source, program, more
     "$1" $warn "$root/examples/$2" -o "$TMP/$3" $4 $(flags --cflags --libs)
 }
 check "C" compile "${CC:-gcc}" c/render.c render -std=c99
+check "C, arrays" compile "${CC:-gcc}" c/arrays.c arrays -std=c99
+check "C, core" compile "${CC:-gcc}" c/core.c core -std=c99
+check "C++, rays" compile "${CXX:-g++}" cpp/rays.cpp batch "-std=c++11 -O1"
+check "C++, machine" compile "${CXX:-g++}" cpp/machine.cpp machine "-std=c++11 -O1"
 check "C++" compile "${CXX:-g++}" cpp/query.cpp query "-std=c++11 -Wno-sign-conversion -pthread"
 # shellcheck disable=SC2046,SC2086  # words
 check "C, with the static library" "${CC:-gcc}" examples/c/render.c -o "$TMP/static" \
@@ -63,6 +71,37 @@ check "an error names file and line" refused 'bad.nff:1: ' sh -c \
     'echo "s 1 2 x 4" >bad.nff; ./render bad.png bad.nff'
 check "a picture of no kind" refused 'two.xyz: no picture is written as .xyz' ./render two.xyz
 check "nothing of them is there" sh -c '! ls bad.png two.xyz'
+check "a scene of arrays, watched and cancelled" sh -c './arrays table.nff table.exr >said &&
+    cat said && grep -q "^drawing: cancelled" said && grep -q "told often" said &&
+    grep -qE "^distance 7\.8[0-9], normal z 0\.9" said'
+check "... is the scene of its file" sh -c "'$usr/bin/sphaera' render table.nff --profile standard \
+    --accel box4 --samples 2 | sed -n 's/^frame *//p' >hash && [ -s hash ] &&
+    grep -q \"^frame   \$(cat hash)\" said"
+check "... and a picture of one pixel for four" sh -c 'oiiotool --info table.exr | grep "64 x  *48"'
+in_memory() { # what core.c prints is what the tool exports and counts
+    ./core "$root/scenes/paper5.nff" >core.txt &&
+        "$usr/bin/sphaera" build "$root/scenes/paper5.nff" --effects all -o core.sph &&
+        "$usr/bin/sphaera" export --hex core core.sph || return 1
+    first=$(grep -v '^//' core.mem.hex | head -n 1)
+    has "^memory [0-9]+ lines, the first $(echo "$first" | cut -c1-8)...$(echo "$first" |
+        cut -c57-64)\$" core.txt && has '^core shadow.reflect2' core.txt &&
+        has '^ray 0 stage root: root ' core.txt || return 1
+    "$usr/bin/sphaera" render core.sph --counters >counted
+    visits=$(awk '/^node_visits / { print $NF }' counted)
+    has "^expect node_visits $visits\$" core.txt
+}
+check "registers, memory, parameters, counters, stages" in_memory
+whole_machine() {
+    ./machine >known && cat known && ! has ': NO$' known && [ "$(grep -c ': yes$' known)" = 4 ] &&
+        has '^arrays, row 3: left out: sphere that stands there twice' known &&
+        has '^core lights1.spans, [0-9]+ parameters' known && has '^rays_primary [1-9]' known &&
+        has '^reference keeps' known && has '^error: directions.0. has no length' known
+}
+check "a machine and all that is known of it, in C++" whole_machine
+for accel in bvh4 bih box4 brute; do
+    check "a batch of rays, $accel: at least 0.8 of the frame's rate" sh -c "./batch \
+        '$root/scenes/paper100.nff' $accel >said && cat said && awk '\$7 < 0.8 { exit 1 }' said"
+done
 cat >rays.nff <<'END'
 v from 0 0 9 at 0 0 0 up 0 1 0 angle 40 resolution 64 48
 l 4 6 8
@@ -138,6 +177,34 @@ END
 # shellcheck disable=SC2046  # words
 check "a client for them" "${CC:-gcc}" promises.c -o promises $(flags --cflags --libs) -lm
 check "they are kept" ./promises rays.nff
+
+# ---- CMake ----
+cat >CMakeLists.txt <<'END'
+cmake_minimum_required(VERSION 3.13)
+project(client C CXX)
+set(CMAKE_CXX_STANDARD 11)
+find_package(sphaera 1.0 REQUIRED COMPONENTS static)
+add_executable(by_cmake core.c)
+target_link_libraries(by_cmake sphaera::sphaera)
+add_executable(cmake_rays rays.cpp)
+target_link_libraries(cmake_rays sphaera::sphaera)
+add_executable(cmake_static core.c)
+target_link_libraries(cmake_static sphaera::static)
+END
+if command -v cmake >said; then
+    mkdir cmake && cp "$root/examples/c/core.c" "$root/examples/cpp/rays.cpp" CMakeLists.txt cmake
+    check "find_package(sphaera)" sh -c "cmake -S cmake -B cmake/build -DCMAKE_PREFIX_PATH='$usr' &&
+        cmake --build cmake/build"
+    for program in by_cmake cmake_static; do
+        check "... $program runs" sh -c "env -u LD_LIBRARY_PATH ./cmake/build/$program \
+            '$root/scenes/paper5.nff' | diff core.txt -"
+    done
+    sed 's/sphaera 1.0/sphaera 2/' CMakeLists.txt >cmake/CMakeLists.txt
+    check "... but not of another major version" sh -c "! cmake -S cmake -B cmake/other \
+        -DCMAKE_PREFIX_PATH='$usr' 2>said && grep -q 'version: 1' said"
+else
+    echo "ok $((checks += 1)) - # SKIP there is no CMake"
+fi
 
 # ---- pages and completion ----
 for command in $("$usr/bin/sphaera" --help | sed -n '/^Commands:/,/^$/s/^  \([a-z]*\) .*/\1/p'); do

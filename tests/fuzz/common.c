@@ -49,6 +49,9 @@ static const char *const whole[] = {
     "the radii of",
     "the animation",
     "light ",
+    "sphere ",
+    "triangle ",
+    "face ",
 };
 
 void fuzz_message(const struct sph_error *err, const char *path, int lines) {

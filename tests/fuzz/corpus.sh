@@ -9,7 +9,7 @@
 set -eu
 tool=$1 to=$2
 cd "$(dirname "$0")/../.."
-for name in nff aff pdb machine frame options image; do
+for name in nff aff pdb mesh machine frame options image; do
     mkdir -p "$to/$name"
     [ ! -d "tests/fuzz/corpus/$name" ] || cp tests/fuzz/corpus/"$name"/* "$to/$name/"
 done

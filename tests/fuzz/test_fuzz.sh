@@ -21,12 +21,18 @@ run aff gcc 400
 run aff clang 200
 run pdb gcc 200
 run pdb clang 100
+if [ -x "$fuzz/gcc/fuzz_mesh" ]; then
+    run mesh gcc 100
+    run mesh clang 50
+else
+    echo "# meshes are skipped: built without assimp (make mesh-setup)"
+fi
 run machine gcc 800
 run machine clang 400
 run frame gcc 500
 run frame clang 500
 run options plain 3000
-run image plain 60
+[ ! -x "$fuzz/plain/fuzz_image" ] || run image plain 60
 
 # ---- what holds an input to be wrong does so ----
 noticed() { # name, what is said, harness, file: it ends with an input that is kept

@@ -147,7 +147,8 @@ void two_in_bih(struct named *n, const struct sph_leaf leaf[2], int tree,
     struct sph_aabb box[2];
     struct sph_bih bih;
     struct sph_error err = {{0}};
-    const struct sph_bih_options how = {tree == SPH_TREE_BIH ? 1 : 2, SPH_BIH_STACK + 1, 0, NULL};
+    const struct sph_bih_options how = {tree == SPH_TREE_BIH ? 1 : 2, SPH_BIH_STACK + 1, 0, NULL,
+                                        0};
     for (int i = 0; i < 2; i++)
         for (int j = 0; j < 3; j++) {
             box[i].lo[j] = (int32_t)(leaf[i].ctr[j] - leaf[i].rad);

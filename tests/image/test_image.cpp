@@ -163,6 +163,38 @@ void colours() {
     check(good, "WebP with alpha keeps its colour, within 6 of its losses");
 }
 
+/* Colour is not multiplied by alpha, whether the file has it so or not, and whatever its reader
+ * makes of that: what OpenImageIO writes of it comes back. */
+void alphas() {
+    const OIIO::TypeDesc u8 = OIIO::TypeUInt8, u16 = OIIO::TypeUInt16, real = OIIO::TypeFloat;
+    const float half = 128 / 255.0f, plain[4] = {200 / 255.0f, 100 / 255.0f, 50 / 255.0f, half};
+    const struct {
+        const char *name;
+        OIIO::TypeDesc type;
+        int plain, multiplied; /* the format has, or may have, such colours */
+    } cases[] = {
+        {"a8.png", u8, 1, 1},   {"a16.png", u16, 1, 1}, {"a8.tif", u8, 1, 1},
+        {"a16.tif", u16, 1, 1}, {"a.tif", real, 1, 1},  {"a8.tga", u8, 1, 1},
+        {"a.exr", real, 0, 1},  {"a8.sgi", u8, 1, 1},   {"a8.rla", u8, 1, 1},
+        {"a8.dpx", u8, 1, 1},   {"a8.iff", u8, 1, 1},   {"a8.bmp", u8, 1, 0},
+        {"a8.ico", u8, 1, 0},
+    };
+    for (const auto &c : cases)
+        for (int multiplied = 0; multiplied < 2; multiplied++) {
+            auto pixel = [&](int, int, int k) {
+                return multiplied && k < 3 ? half * plain[k] : plain[k];
+            };
+            if (!(multiplied ? c.multiplied : c.plain)) continue;
+            bool good = write(c.name, 16, 16, 4, c.type, pixel, multiplied);
+            std::uint32_t texel = first(c.name);
+            for (int k = 0; k < 4; k++)
+                good &= std::abs(static_cast<int>(texel >> 8 * k & 255) -
+                                 static_cast<int>(std::lround(255 * plain[k]))) <= 2;
+            std::printf("# %s %08x\n", c.name, texel);
+            check(good, std::string(multiplied ? "multiplied " : "plain ") + c.name);
+        }
+}
+
 /* The mean of the texels of level 0 that a texel of an image with sides 2^n covers. */
 double mean(const struct sph_mip &mip, int level, int x, int y, int c) {
     double sum = 0;
@@ -320,6 +352,7 @@ int main() {
     folder = tmp ? tmp : ".";
     kinds();
     colours();
+    alphas();
     chains();
     bad();
     written();

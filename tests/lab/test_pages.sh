@@ -152,6 +152,14 @@ claim() { # file, sed expression, what is said
 }
 check "a claim's verdict that is no word of ours" claim $claims 's/"refuted"),/"perhaps"),/' \
     'perhaps'
+check "a claim whose reason rests on nothing of ours" claim $claims \
+    's/rt_leaf_sums", "count"/rt_leaf_sums", "taste"/' 'the reason taste'
+check "a claim that is nowhere in the model" claim $claims \
+    's#reference/predicates.c; rt_leaf_sums#reference/predictions.c; rt_leaf_sums#' predictions
+check "a claim that is nowhere in the RTL" claim $claims \
+    's#predicates.c; rt_leaf_sums#predicates.c; rt_leaf_sum#' 'no rt_leaf_sum.v'
+check "a claim shown by a suite that is not there" claim $claims \
+    's/ONLY=test_levels/ONLY=test_level_of/' 'no suite test_level_of'
 check "a claim that is built, without a command" claim $claims \
     's/"make background", "other"),/"-", "other"),/' 'has a command'
 check "a claim that puts its answer off" claim $claims \

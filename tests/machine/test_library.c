@@ -68,6 +68,73 @@ static void test_null(void **unused) {
     REFUSED("origin", sphaera_trace(m, NULL, v, &hit, &error));
     REFUSED("direction", sphaera_trace(m, v, NULL, &hit, &error));
     REFUSED("hit", sphaera_trace(m, v, v, NULL, &error));
+    sphaera_arrays arrays;
+    sphaera_render_options render;
+    sphaera_picture_options picture;
+    sphaera_hits hits = {0};
+    sphaera_layers layers = {0};
+    sphaera_pixel *pixel;
+    sphaera_scoreboard *board;
+    int32_t w[3] = {0}, u[3];
+    uint32_t lines, texels[8] = {0}, mant;
+    const uint32_t *memory = sphaera_machine_memory(m, &lines);
+    const int32_t *registers = sphaera_machine_registers(m);
+    uint64_t root;
+    int n_regs = sphaera_registers(), flag, weights[2] = {0};
+    sphaera_arrays_init(&arrays);
+    sphaera_render_init(&render);
+    sphaera_picture_init(&picture);
+    REFUSED("arrays", sphaera_scene_make(NULL, &s, &error));
+    REFUSED("scene", sphaera_scene_make(&arrays, NULL, &error));
+    REFUSED("scene", sphaera_scene_write(NULL, "s", &error));
+    REFUSED("path", sphaera_scene_write(s, NULL, &error));
+    REFUSED("path", sphaera_scene_read_with(NULL, NULL, &s, &error));
+    REFUSED("scene", sphaera_scene_read_with("s", NULL, NULL, &error));
+    REFUSED("registers", sphaera_machine_make(NULL, n_regs, memory, lines, "m", &m, &error));
+    REFUSED("memory", sphaera_machine_make(registers, n_regs, NULL, lines, "m", &m, &error));
+    REFUSED("name", sphaera_machine_make(registers, n_regs, memory, lines, NULL, &m, &error));
+    REFUSED("machine", sphaera_machine_make(registers, n_regs, memory, lines, "m", NULL, &error));
+    REFUSED("machine", sphaera_machine_export(NULL, "c", "m", &error));
+    REFUSED("format", sphaera_machine_export(m, NULL, "m", &error));
+    REFUSED("path", sphaera_machine_export(m, "c", NULL, &error));
+    REFUSED("machine", sphaera_render_with(NULL, &render, &f, &error));
+    REFUSED("options", sphaera_render_with(m, NULL, &f, &error));
+    REFUSED("frame", sphaera_render_with(m, &render, NULL, &error));
+    REFUSED("frame", sphaera_frame_layers(NULL, &layers, &error));
+    REFUSED("to", sphaera_frame_layers(f, NULL, &error));
+    REFUSED("frame", sphaera_frame_write_with(NULL, "f.png", &picture, &error));
+    REFUSED("path", sphaera_frame_write_with(f, NULL, &picture, &error));
+    REFUSED("options", sphaera_frame_write_with(f, "f.png", NULL, &error));
+    REFUSED("machine", sphaera_trace_rays(NULL, 1, v, v, 1, &hits, &error));
+    REFUSED("origins", sphaera_trace_rays(m, 1, NULL, v, 1, &hits, &error));
+    REFUSED("directions", sphaera_trace_rays(m, 1, v, NULL, 1, &hits, &error));
+    REFUSED("hits", sphaera_trace_rays(m, 1, v, v, 1, NULL, &error));
+    REFUSED("machine", sphaera_trace_grid(NULL, 1, w, w, 1, &hits, &error));
+    REFUSED("origins", sphaera_trace_grid(m, 1, NULL, w, 1, &hits, &error));
+    REFUSED("directions", sphaera_trace_grid(m, 1, w, NULL, 1, &hits, &error));
+    REFUSED("hits", sphaera_trace_grid(m, 1, w, w, 1, NULL, &error));
+    REFUSED("machine", sphaera_primary(NULL, 0, 0, w, w, &error));
+    REFUSED("origin", sphaera_primary(m, 0, 0, NULL, w, &error));
+    REFUSED("direction", sphaera_primary(m, 0, 0, w, NULL, &error));
+    REFUSED("machine", sphaera_pixel_trace(NULL, 0, 0, &pixel, &error));
+    REFUSED("pixel", sphaera_pixel_trace(m, 0, 0, NULL, &error));
+    REFUSED("machine", sphaera_scoreboard_new(NULL, 1, &board, &error));
+    REFUSED("board", sphaera_scoreboard_new(m, 1, NULL, &error));
+    REFUSED("v", sphaera_model_unit_vector(16, NULL, u, &mant, &flag, &error));
+    REFUSED("root", sphaera_model_root(0, 1, 0, NULL, &flag, &error));
+    REFUSED("inexact", sphaera_model_root(0, 1, 0, &root, NULL, &error));
+    REFUSED("mant", sphaera_model_quotient(1, 8, 1, 8, 8, NULL, &flag, &error));
+    REFUSED("leaf", sphaera_model_leaf(NULL, NULL, &error));
+    REFUSED("filter", sphaera_model_filter(NULL, &flag, u, &error));
+    REFUSED("far_texels", sphaera_model_texel(texels, NULL, weights, weights, 0, &mant, &error));
+    assert_int_equal(sphaera_machine_parameter(NULL, 0, NULL), -1);
+    assert_int_equal(sphaera_machine_line(m, lines, texels), -1);
+    assert_int_equal(sphaera_pixel_ray(NULL, 0, NULL), -1);
+    assert_int_equal(sphaera_pixel_stage(NULL, 0, NULL), -1);
+    assert_int_equal(sphaera_pixel_operand(NULL, 0, 0, NULL), -1);
+    assert_null(sphaera_pixel_text(NULL, 0));
+    sphaera_pixel_free(NULL);
+    sphaera_scoreboard_free(NULL);
     assert_int_equal(sphaera_frame_rgb(NULL, 0, rgb), -1);
     assert_int_equal(sphaera_frame_rgb(f, 0, NULL), -1);
     assert_int_equal(sphaera_counter_find(NULL), -1);
@@ -252,6 +319,105 @@ static void test_scenes(void **unused) {
         }
 }
 
+/* Each number in each place of each array; what is made of it can be built, or is refused. */
+static void test_arrays(void **unused) {
+    double spheres[2][4] = {{0, 0, 0, 1}, {2, 0, 0, 1}}, planes[1][6] = {{0, -2, 0, 0, 1, 0}};
+    double triangles[1][9] = {{-4, -1, -4, 4, -1, -4, 0, -1, 5}};
+    double normals[1][9] = {{0, 1, 0, 0, 1, 0, 0, 1, 0}}, lights[1][3] = {{4, 6, 8}};
+    double colours[1][3] = {{1, 1, 1}}, materials[1][8] = {{0.9, 0.3, 0.2, 0.7, 0.3, 10, 0.5, 1.5}};
+    sphaera_arrays a;
+    sphaera_build_options o;
+    (void)unused;
+    sphaera_build_init(&o);
+    o.profile = "fine";
+    sphaera_arrays_init(&a);
+    a.from[2] = 9;
+    a.width = 8, a.height = 4;
+    a.n_spheres = 2, a.spheres = spheres[0];
+    a.n_planes = 1, a.planes = planes[0];
+    a.n_triangles = 1, a.triangles = triangles[0], a.normals = normals[0];
+    a.n_lights = 1, a.lights = lights[0], a.light_colours = colours[0];
+    a.materials = materials[0];
+    const struct {
+        const char *name;
+        double *row;
+        int n;
+    } rows[] = {{"spheres[0]", spheres[0], 4},
+                {"planes[0]", planes[0], 6},
+                {"triangles[0]", triangles[0], 9},
+                {"normals[0]", normals[0], 9},
+                {"lights[0]", lights[0], 3},
+                {"light_colours[0]", colours[0], 3},
+                {"materials[0]", materials[0], 8},
+                {"camera", a.from, 3},
+                {"camera", a.at, 3},
+                {"camera", a.up, 3},
+                {"camera", &a.angle, 1},
+                {"background", a.background, 3},
+                {"ambient", a.ambient, 3}};
+    int made = 0, refused = 0;
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        for (int k = 0; k < rows[i].n; k++)
+            for (int r = 0; r < REALS; r++) {
+                double was = rows[i].row[k];
+                sphaera_scene *s;
+                sphaera_machine *m = NULL;
+                sphaera_error error = {""};
+                rows[i].row[k] = reals[r];
+                begin(rows[i].name);
+                int rc = sphaera_scene_make(&a, &s, &error);
+                answered(rc, &error, rows[i].name);
+                rows[i].row[k] = was;
+                refused += rc != 0, made += !rc;
+                if (rc) continue;
+                if (r % 4 == 0) { /* some of them */
+                    begin("sphaera_build");
+                    rc = sphaera_build(s, &o, &m, &error);
+                    answered(rc, &error, " ");
+                    sphaera_machine_free(m);
+                }
+                sphaera_scene_free(s);
+            }
+    assert_true(made > 200 && refused > 200);
+    const uint32_t none = 1;
+    sphaera_scene *s;
+    sphaera_error error = {""};
+    a.plane_materials = &none;
+    assert_int_equal(sphaera_scene_make(&a, &s, &error), -1);
+    assert_string_equal(error.text, "plane_materials[0]: 1 is none of 1 materials");
+    a.planes = NULL;
+    assert_int_equal(sphaera_scene_make(&a, &s, &error), -1);
+    assert_string_equal(error.text, "planes is NULL, n_planes is 1");
+}
+
+/* Any operand gets an answer. */
+static void test_units(void **unused) {
+    (void)unused;
+    for (int i = 0; i < WHOLES * WHOLES; i++) {
+        int a = wholes[i % WHOLES], b = wholes[i / WHOLES], u[3], flag;
+        const int64_t v[3] = {a, b, 1};
+        const int weights[2] = {a, b};
+        const uint32_t texels[4] = {0xffffffu, 0, (uint32_t)a, (uint32_t)b};
+        uint32_t word;
+        uint64_t root;
+        sphaera_error error = {""};
+        sphaera_leaf_result hit;
+        sphaera_leaf leaf = {.origin = {a, b, 0}, .direction = {1, b, a}, .radius = b, .pr = 8};
+        sphaera_filter filter = {
+            .origin = {a, b, 0}, .p_a = b, .q = {1, a, b}, .radius = b, .axis = a, .depth_max = b};
+        begin("sphaera_model");
+        answered(sphaera_model_unit_vector(a, v, u, &word, &flag, &error), &error, " is ");
+        answered(sphaera_model_root((uint64_t)a, (uint64_t)b, b, &root, &flag, &error), &error,
+                 "bits");
+        answered(sphaera_model_quotient((uint64_t)a, b, (uint64_t)b, a, 17, &word, &flag, &error),
+                 &error, "");
+        answered(sphaera_model_leaf(&leaf, &hit, &error), &error, " is ");
+        answered(sphaera_model_filter(&filter, &flag, u, &error), &error, " is ");
+        answered(sphaera_model_texel(texels, texels, weights, weights, b, &word, &error), &error,
+                 " is ");
+    }
+}
+
 /* A kind and a number where there is no file. */
 static void test_kinds(void **unused) {
     static const struct {
@@ -322,7 +488,9 @@ static void test_price(void **unused) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_null),   cmocka_unit_test(test_rays),  cmocka_unit_test(test_options),
-        cmocka_unit_test(test_scenes), cmocka_unit_test(test_kinds), cmocka_unit_test(test_price)};
+        cmocka_unit_test(test_null),    cmocka_unit_test(test_rays),
+        cmocka_unit_test(test_options), cmocka_unit_test(test_scenes),
+        cmocka_unit_test(test_arrays),  cmocka_unit_test(test_units),
+        cmocka_unit_test(test_kinds),   cmocka_unit_test(test_price)};
     return cmocka_run_group_tests_name("library", tests, NULL, NULL);
 }

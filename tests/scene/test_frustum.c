@@ -11,6 +11,7 @@
 #include "scene/frustum.h"
 #include "scene/generate.h"
 #include "scene/rng.h"
+#include "scene/vector.h"
 
 enum { CONES = 300, SAMPLES = 40 };
 static uint64_t seed = 1;
@@ -49,14 +50,10 @@ static double dot(struct sph_vec a, struct sph_vec b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-static struct sph_vec minus(struct sph_vec a, struct sph_vec b) {
-    return sph_vec_of(a.x - b.x, a.y - b.y, a.z - b.z);
-}
-
 /* Distance from the surface between the circles: in the half plane of axis and point it is that
  * from a segment. *out: the point lies on the outer side. */
 static double distance(const struct sph_frustum *c, struct sph_vec p, int *out) {
-    struct sph_vec axis = minus(c->apex, c->base), from = minus(p, c->base);
+    struct sph_vec axis = sph_vec_sub(c->apex, c->base), from = sph_vec_sub(p, c->base);
     double length = sqrt(dot(axis, axis)), h = dot(from, axis) / length;
     double along = h / length, r0 = fabs(c->base_rad);
     struct sph_vec off = {from.x - along * axis.x, from.y - along * axis.y,
@@ -122,7 +119,7 @@ static void test_surface(void **unused) {
         assert_int_equal(groups, 5 + n);
         for (uint32_t i = 0; i < s.n_facets; i++) {
             const struct sph_facet *f = &s.facets[i];
-            struct sph_vec e1 = minus(f->v[1], f->v[0]), e2 = minus(f->v[2], f->v[0]);
+            struct sph_vec e1 = sph_vec_sub(f->v[1], f->v[0]), e2 = sph_vec_sub(f->v[2], f->v[0]);
             struct sph_vec normal = {e1.y * e2.z - e1.z * e2.y, e1.z * e2.x - e1.x * e2.z,
                                      e1.x * e2.y - e1.y * e2.x};
             assert_true(f->kind == SPH_TRIANGLE && f->material == 3 && f->line == 7);

@@ -47,6 +47,7 @@ static const struct bad bads[] = {
     {"ply none", "ply\nelement vertex 1\n" XYZ "end_header\n0 0 0\n", 6, "`format`: is missing", 0,
      0},
     {"ply word", HEAD("elephant\n"), 3, "unknown word in the head", 0, 0},
+    {"ply first", HEAD("property float x\n"), 3, "no element before it", 0, 0},
     {"ply count", HEAD("element vertex -1\n"), 3, "the number of elements is none", 0, 0},
     {"ply type", HEAD("element vertex 1\nproperty real x\n"), 4, "unknown type", 0, 0},
     {"ply rows", HEAD("element vertex 4000000000\n" XYZ "end_header\n0 0 0\n"), 8,

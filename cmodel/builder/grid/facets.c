@@ -11,6 +11,7 @@
 #include "machine/layout.h"
 #include "prim/prim.h"
 #include "scene/prim.h"
+#include "scene/record.h"
 
 static const struct sph_prim_build *kind_of(const struct sph_grid_facet *f) {
     return sph_prim_build_of((uint32_t)f->kind);
@@ -45,15 +46,16 @@ static int fail_duplicate(const struct sph_scene *scene, const struct sph_profil
                           int finer, const struct sph_grid_facet *a, const struct sph_grid_facet *b,
                           struct sph_error *err) {
     const char *what = sph_kind_name((uint32_t)b->kind);
-    uint32_t first = scene->facets[a->scene].line, second = scene->facets[b->scene].line;
+    char first[SPH_PLACE], second[SPH_PLACE];
+    sph_record_line(first, scene->facets[a->scene].line, what, a->scene);
+    sph_record_place(second, scene->path, scene->facets[b->scene].line, what, b->scene);
     if (finer < 0)
-        return sph_fail(err,
-                        "%s:%u: the same %s as in line %u, on the grid of every profile from %s on",
-                        scene->path, second, what, first, profile->name);
+        return sph_fail(err, "%s: the same %s as in %s, on the grid of every profile from %s on",
+                        second, what, first, profile->name);
     return sph_fail(err,
-                    "%s:%u: the grid of profile %s merges this %s with that of line %u: "
-                    "profile %s separates them",
-                    scene->path, second, profile->name, what, first, sph_profiles[finer].name);
+                    "%s: the grid of profile %s merges this %s with that of %s: profile %s "
+                    "separates them",
+                    second, profile->name, what, first, sph_profiles[finer].name);
 }
 
 /* Whether two facets that have corners have the same ones in the scene. */

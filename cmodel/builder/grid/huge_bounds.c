@@ -61,7 +61,8 @@ int sph_huge_sphere_cut(const double at[3], double rad, const struct sph_box *re
 
 /* ---- plane_bounds ---- */
 
-#define ROUNDING 1e-9 /* of directions, at most */
+#define ROUNDING 1e-9   /* of directions, at most */
+#define POWER_50_DB 1e5 /* what is white over what may be off, both squared */
 
 /* A plane seen from the eye: x is on the eye's side if normal.x + height >= 0. */
 struct wall {
@@ -144,11 +145,11 @@ double sph_plane_bounds_reach(const struct sph_scene *scene) {
     if (sph_plane_bounds_corners(scene, corners)) return 0;
     for (int i = 0; i < n; i++)
         for (int l = 0; l < scene->n_lights; l++) {
-            const struct sph_light *lamp = &scene->lights[l];
-            struct sph_vec from_eye = sph_vec_sub(lamp->pos, scene->camera.from);
+            const struct sph_light *light = &scene->lights[l];
+            struct sph_vec from_eye = sph_vec_sub(light->pos, scene->camera.from);
             double height = sph_vec_dot(w[i].normal, from_eye) + w[i].height;
-            double bright = fmax(lamp->rgb[0], fmax(lamp->rgb[1], lamp->rgb[2])) * height;
-            most = fmax(most, cbrt(1e5 * w[i].height * bright * bright / slope));
+            double bright = fmax(light->rgb[0], fmax(light->rgb[1], light->rgb[2])) * height;
+            most = fmax(most, cbrt(POWER_50_DB * w[i].height * bright * bright / slope));
         }
     return most;
 }

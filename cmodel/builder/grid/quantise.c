@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "builder/grid/grid.h"
+#include "scene/record.h"
 
 void sph_finer_of(const struct sph_scene *scene, const struct sph_profile *profile, int axes,
                   struct sph_finer *finer) {
@@ -51,11 +52,13 @@ static int merge(struct task *t, uint32_t i, uint32_t j, struct sph_error *err) 
     for (int k = 0; k < finer->n; k++) {
         struct sph_ball a = sph_grid_ball(&finer->grid[k], &s[i]);
         struct sph_ball b = sph_grid_ball(&finer->grid[k], &s[j]);
+        char first[SPH_PLACE], second[SPH_PLACE];
         if (!same(&a, &b))
             return sph_fail(err,
-                            "%s:%u: the grid of profile %s merges this sphere with that of line "
-                            "%u: profile %s separates them",
-                            t->scene->path, s[j].line, t->profile->name, s[i].line,
+                            "%s: the grid of profile %s merges this sphere with that of %s: "
+                            "profile %s separates them",
+                            sph_record_place(second, t->scene->path, s[j].line, "sphere", j),
+                            t->profile->name, sph_record_line(first, s[i].line, "sphere", i),
                             sph_profiles[finer->profile[k]].name);
     }
     t->lost[j] = SPH_READ_SPHERE_GRID;
@@ -66,13 +69,14 @@ static int merge(struct task *t, uint32_t i, uint32_t j, struct sph_error *err) 
 static int vanish(struct task *t, uint32_t i, struct sph_error *err) {
     const struct sph_sphere *s = &t->scene->spheres[i];
     const struct sph_finer *finer = finer_of(t);
+    char text[SPH_PLACE];
     for (int k = 0; k < finer->n; k++)
         if (s->rad / finer->grid[k].step >= 0.5)
             return sph_fail(err,
-                            "%s:%u: radius %g is nothing on the grid of profile %s (step %g): "
+                            "%s: radius %g is nothing on the grid of profile %s (step %g): "
                             "profile %s would do",
-                            t->scene->path, s->line, s->rad, t->profile->name, t->grid->step,
-                            sph_profiles[finer->profile[k]].name);
+                            sph_record_place(text, t->scene->path, s->line, "sphere", i), s->rad,
+                            t->profile->name, t->grid->step, sph_profiles[finer->profile[k]].name);
     t->lost[i] = SPH_READ_SPHERE_SMALL;
     return 0;
 }

@@ -148,9 +148,11 @@ static void divide(struct maker *k, struct part *p, int axis, int64_t split2,
     subdivide(k, r);
 }
 
-/* Whether the primitives reach over so little of the box that it pays to say so: 1.3 times. */
-static int loose(const struct sph_aabb *box, int axis, const struct side *all) {
-    return 13 * ((int64_t)all->hi - all->lo) < 10 * extent(box, axis);
+/* Whether the primitives reach over so little of the box that it pays to say so. */
+static int loose(const struct maker *k, const struct sph_aabb *box, int axis,
+                 const struct side *all) {
+    int64_t fit = k->options.fit ? k->options.fit : SPH_BIH_FIT;
+    return fit != UINT32_MAX && fit * ((int64_t)all->hi - all->lo) < 100 * extent(box, axis);
 }
 
 /* Says of a node that its primitives reach over less than its box: the box becomes theirs. With
@@ -194,7 +196,7 @@ static void subdivide(struct maker *k, struct part p) {
         if (right.lo < all.lo) all.lo = right.lo;
         if (right.hi > all.hi) all.hi = right.hi;
 
-        if (loose(&p.box, axis, &all)) {
+        if (loose(k, &p.box, axis, &all)) {
             if (refit(k, &p, axis, &all)) return;
         } else if (left.count && right.count) {
             if (hole.there && p.depth + 1 < k->options.max_depth) make_empty(k, &p, &hole);

@@ -49,7 +49,11 @@ struct sph_bih_options {
     uint32_t max_depth; /* levels, 1 .. SPH_BIH_STACK + 1 */
     int how;            /* SPH_BIH_FULL, SPH_BIH_LISTING */
     const struct sph_progress *progress; /* NULL, or who is told how far it is */
+    uint32_t fit; /* percent of what is in a box that makes it too large (struct sph_bih_node);
+                     0: SPH_BIH_FIT, UINT32_MAX: no box is */
 };
+
+enum { SPH_BIH_FIT = 130 }; /* the thesis's */
 
 /* Builds over n boxes. -1 if memory is out; what is in *bih then is to be freed too. */
 int sph_bih_build(const struct sph_aabb *boxes, uint32_t n, const struct sph_bih_options *options,

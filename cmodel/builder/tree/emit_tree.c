@@ -42,7 +42,7 @@ static int emit_bih(const struct sph_scene *scene, const struct sph_build_option
     struct sph_progress first = sph_progress_part(&all, 0, half);
     struct sph_bih_options how = {o->max_prims ? o->max_prims : SPH_BIH_PRIMS,
                                   o->max_tree_depth ? o->max_tree_depth : SPH_BIH_STACK + 1, o->bih,
-                                  &first};
+                                  &first, o->bih_fit};
     struct sph_plants four = *plants;
     if (o->tree == SPH_TREE_BRUTE) how.max_prims = UINT32_MAX;
     four.kind = SPH_TREE_BALANCED;

@@ -117,7 +117,7 @@ int sph_tree_paper(const struct sph_ball *balls, uint32_t n, const struct sph_pr
             struct sph_tree_node *node = &tree->nodes[start + i];
             uint32_t count = below - 4 * i < 4 ? below - 4 * i : 4;
             merge(tree, node, below_start + 4 * i, count, level ? NULL : order, balls, profile);
-            if (node->ball.r > most.r) node->ball = most;
+            if (node->ball.r > most.r && !tree->grows) node->ball = most;
         }
         below_start = start, below = size[level];
     }

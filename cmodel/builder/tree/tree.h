@@ -28,7 +28,8 @@ struct sph_tree {
     int learns;     /* the binary tree that it is collapsed from is to be kept, */
     struct sph_split *split;        /* here; else NULL; malloc */
     const struct sph_machine *seen; /* NULL, or by whose rays that is collapsed again */
-    struct sph_progress progress;   /* who is told how far it is, if anybody asked */
+    int grows; /* of SPH_TREE_PAPER: a node may be larger than the sphere around all */
+    struct sph_progress progress; /* who is told how far it is, if anybody asked */
 };
 
 /* What a tree is made of. */

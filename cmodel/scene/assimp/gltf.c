@@ -113,7 +113,7 @@ static void decode(const char *uri, char *name, size_t size) {
     size_t n = 0;
     for (; *uri && n + 1 < size; uri++) {
         int high = uri[0] == '%' ? nibble(uri[1]) : -1, low = high < 0 ? -1 : nibble(uri[2]);
-        name[n++] = low < 0 ? *uri : (char)(high << 4 | low);
+        name[n++] = (char)(low < 0 ? *uri : high << 4 | low);
         if (low >= 0) uri += 2;
     }
     name[n] = 0;

@@ -14,6 +14,7 @@
 #include "scene/assimp/gltf.h"
 #include "scene/edit.h"
 #include "scene/polygon.h"
+#include "scene/record.h"
 
 #define GREY 0.8 /* of what has no material */
 
@@ -319,13 +320,20 @@ static void put_corner(const struct load *l, const struct aiMesh *m, const struc
         f->st[k][c] = look->place[c][0] * s + look->place[c][1] * t + look->place[c][2];
 }
 
+/* "file:line: what", or "file: face 7: what". */
+static int fail_face(const struct load *l, const struct sph_facet *f, const char *what,
+                     struct sph_error *err) {
+    char place[SPH_PLACE];
+    return sph_fail(err, "%s: %.300s",
+                    sph_record_place(place, l->path, f->line, "face", l->face - 1), what);
+}
+
 static int check_corner(const struct load *l, const struct sph_facet *f, int k,
                         struct sph_error *err) {
     if (sph_vec_small(f->v[k]) && fabs(f->st[k][0]) <= SPH_NUMBER_MAX &&
         fabs(f->st[k][1]) <= SPH_NUMBER_MAX)
         return 0;
-    return sph_fail(err, "%s:%u: face %u: a corner is not a number, or too large", l->path, f->line,
-                    l->face);
+    return fail_face(l, f, "a corner is not a number, or too large", err);
 }
 
 /* A face as triangles, as `p` and `pp` of NFF are. */
@@ -341,16 +349,12 @@ static int take_face(struct load *l, const struct aiMesh *m, const struct aiFace
     l->face++;
     for (unsigned i = 0; i < n; i++)
         if (face->mIndices[i] >= m->mNumVertices)
-            return sph_fail(err, "%s:%u: face %u: corner %u is none of %u", l->path, f.line,
-                            l->face, face->mIndices[i], m->mNumVertices);
-    if (n > SPH_MAX_CORNERS)
-        return sph_fail(err, "%s:%u: a face of %u corners; at most %d are taken", l->path, f.line,
-                        n, SPH_MAX_CORNERS);
+            return fail_face(l, &f, "an index leads nowhere", err);
+    if (n > SPH_MAX_CORNERS) return fail_face(l, &f, "more than 1024 corners", err);
     for (unsigned i = 0; i < n; i++)
         corner[i] = sph_affine_point(a, vec_of(&m->mVertices[face->mIndices[i]]));
     int count = sph_polygon_cut(corner, (int)n, index, &bent, &why);
-    if (count < 0)
-        return sph_fail(err, "%s:%u: face %u: %.300s", l->path, f.line, l->face, why.text);
+    if (count < 0) return fail_face(l, &f, why.text, err);
     if (!count) return note(l, SPH_READ_NO_AREA, 1, f.line, err);
     f.read = bent > 0 ? SPH_READ_BENT : n > 3 ? SPH_READ_POLYGON : SPH_READ_TRIANGLE;
     uint32_t rgb = mean_colour(m, face->mIndices, n);
@@ -362,6 +366,11 @@ static int take_face(struct load *l, const struct aiMesh *m, const struct aiFace
             int from = index[i][mirrored && k ? 3 - k : k];
             put_corner(l, m, a, mirrored, face->mIndices[from], &f, k);
             if (check_corner(l, &f, k, err)) return -1;
+        }
+        for (int c = 0; c < 2; c++) { /* whole repeats say nothing */
+            double whole = floor(fmin(f.st[0][c], fmin(f.st[1][c], f.st[2][c])));
+            for (int k = 0; k < 3; k++)
+                f.st[k][c] -= whole;
         }
         f.smooth = smooth && sph_smooth_given(f.n) && sph_vec_small(f.n[0]) &&
                    sph_vec_small(f.n[1]) && sph_vec_small(f.n[2]);
