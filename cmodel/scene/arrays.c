@@ -12,7 +12,6 @@
 #include "scene/nff_reader.h"
 #include "scene/polygon.h"
 #include "scene/vector.h"
-#include "scene/window.h"
 
 static int is_number(double value) {
     return fabs(value) <= SPH_NUMBER_MAX;
@@ -58,10 +57,6 @@ static int camera(const struct sph_arrays *a, struct sph_scene *scene, struct sp
                 return sph_fail(err, "camera: %s.%s is %g, no number up to %g", vectors[i].name,
                                 sph_nff_point[k], v[k], SPH_NUMBER_MAX);
     }
-    for (int i = 0; i < 2; i++)
-        if (!(fabs(a->camera.shift[i]) <= SPH_SHIFT_MAX))
-            return sph_fail(err, "camera: shift[%d] is %g, not within %d", i, a->camera.shift[i],
-                            SPH_SHIFT_MAX);
     scene->camera = a->camera;
     memcpy(scene->background, a->background, sizeof scene->background);
     memcpy(scene->ambient, a->ambient, sizeof scene->ambient);

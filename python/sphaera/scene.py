@@ -148,9 +148,9 @@ def scene_of(*, spheres: Any = (), triangles: Any = (), planes: Any = (), materi
              plane_materials: Any = None, normals: Any = None, lights: Any = (),
              light_colours: Any = None, eye: Sequence[float] = (0, 0, 1),
              at: Sequence[float] = (0, 0, 0), up: Sequence[float] = (0, 1, 0), angle: float = 45,
-             shift: Sequence[float] = (0, 0),
-             width: int = 320, height: int = 180, background: Sequence[float] = (0, 0, 0),
-             ambient: Sequence[float] = (0, 0, 0), name: str = "arrays") -> Scene:
+             shift: Sequence[float] = (0, 0), width: int = 320, height: int = 180,
+             background: Sequence[float] = (0, 0, 0), ambient: Sequence[float] = (0, 0, 0),
+             name: str = "arrays") -> Scene:
     """A scene of arrays, which are copied.
 
     spheres    [n, 4]: centre, radius          triangles  [n, 3, 3]: corners
