@@ -79,13 +79,13 @@ $B/obj/cmodel/reference/floats.o $B/asan/obj/cmodel/reference/floats.o: \
     override CFLAGS += -ffp-contract=off
 
 # What the tool loads when a picture is asked for: cmodel/image/lazy.c.
-$(PICTURE): $(call objects,obj/,$(IMAGE_CXX) cmodel/image/plain.c) $(MODEL) $B/sources
+$B/sphaera_image.so: $(call objects,obj/,$(IMAGE_CXX) cmodel/image/plain.c) $(MODEL) $B/sources
 	$(call say,LD,$(@F))
 	$(call make_whole,$(CXX) -shared -Wl$(comma)-Bsymbolic -Wl$(comma)--no-undefined \
 	    $(filter %.o %.a,$^) $(IMAGE_LIBS) $(MODEL_LIBS))
 
-$(TOOL): $(call objects,obj/,$(TOOL_C) $(IMAGE_C) $(LAZY_C)) $(VERSION_O) $(MODEL) $(PICTURE) \
-         $(MESHES) $(VIEWER)
+$(TOOL): $(call objects,obj/,$(TOOL_C) $(IMAGE_C) $(LAZY_C)) $(VERSION_O) $(MODEL) \
+         $(PICTURE) $(MESHES) $(VIEWER)
 	$(call say,LD,$(@F))
 	$(call make_whole,$(CC) $(filter %.o %.a,$^) $(call pkg,--libs jansson) \
 	    $(MODEL_LIBS) -ldl)

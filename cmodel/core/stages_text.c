@@ -165,7 +165,7 @@ static void append(char *text, const char *format, ...) {
 }
 
 static sph_u128 low(sph_u128 word, int bits) {
-    return word & ((((sph_u128)1 << (bits - 1)) << 1) - 1);
+    return bits < 128 ? word & (((sph_u128)1 << bits) - 1) : word;
 }
 
 /* The word as the number that it stands for. */

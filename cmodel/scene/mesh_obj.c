@@ -34,7 +34,7 @@ static int take_element(struct obj *o, int list, struct sph_error *err) {
     int n = 0;
     fputs(lists[list], o->out);
     for (; n < most[list]; n++) {
-        double value;
+        double value = 0;
         o->text.rest += strspn(o->text.rest, " \t");
         if (n >= least[list] && !*o->text.rest) break;
         if (sph_text_number(&o->text, lists[list], names[n], &value, err)) return -1;

@@ -168,8 +168,8 @@ static double number_at(const struct ply *p, int type, const char *at) {
         memcpy(&d, &bits, sizeof d);
         return size == 4 ? (double)f : d;
     }
-    unsigned shift = 64 - 8 * (unsigned)size;
-    return types[type].sign ? (double)((int64_t)(bits << shift) >> shift) : (double)bits;
+    if (!types[type].sign) return (double)bits;
+    return size == 1 ? (int8_t)bits : size == 2 ? (int16_t)bits : (int32_t)bits;
 }
 
 /* The next number of element `which`. Of text a line has one element, which has begun. */

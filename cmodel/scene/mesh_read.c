@@ -28,21 +28,20 @@ struct message {
     struct sph_scene scene;
 };
 
-/* The arrays that a mesh can have: where, how many, of what size, at most. */
+/* The arrays that a mesh can have: where, of what size, how many, at most. */
 struct array {
     void **at;
-    uint32_t n;
     size_t size;
-    uint32_t most;
+    uint32_t n, most;
 };
 enum { ARRAYS = 4 };
 
 static void arrays_of(struct sph_scene *s, struct array a[ARRAYS]) {
-    a[0] = (struct array){(void **)&s->materials, s->n_materials, sizeof *s->materials, UINT32_MAX};
-    a[1] = (struct array){(void **)&s->spheres, s->n_spheres, sizeof *s->spheres, SPH_MAX_SPHERES};
-    a[2] = (struct array){(void **)&s->facets, s->n_facets, sizeof *s->facets, SPH_MAX_FACETS};
+    a[0] = (struct array){(void **)&s->materials, sizeof *s->materials, s->n_materials, UINT32_MAX};
+    a[1] = (struct array){(void **)&s->spheres, sizeof *s->spheres, s->n_spheres, SPH_MAX_SPHERES};
+    a[2] = (struct array){(void **)&s->facets, sizeof *s->facets, s->n_facets, SPH_MAX_FACETS};
     a[3] =
-        (struct array){(void **)&s->textures, s->n_textures, sizeof *s->textures, SPH_MAX_TEXTURES};
+        (struct array){(void **)&s->textures, sizeof *s->textures, s->n_textures, SPH_MAX_TEXTURES};
 }
 
 /* ---- the child ---- */

@@ -60,8 +60,8 @@ static int take_step(struct sph_text *t, int step, const char *word, FILE *out,
                         facet[step].word, second ? " " : "", second ? second : "");
     fputs(step ? facet[step].word : "facet normal 0 0 0", out);
     if (step && second) fprintf(out, " %s", second);
-    for (int i = 0; i < facet[step].numbers; i++) {
-        double value;
+    for (int i = 0; i < facet[step].numbers && i < 3; i++) {
+        double value = 0;
         if (!step) { /* the normal is not used */
             if (!sph_text_word(t))
                 return sph_fail(err, "%s:%u: `facet normal`: %s is missing", t->path, t->line,

@@ -24,7 +24,7 @@ int sph_text_open(struct sph_text *t, const char *path, struct sph_error *err) {
               : !got         ? sph_fail(err, "%s: the file is empty", path)
                              : 0;
     fclose(file);
-    if (bad) {
+    if (bad || !t->bytes) {
         sph_text_close(t);
         return -1;
     }

@@ -16,8 +16,9 @@ int sphaera_registers(void) {
 
 /* Those of light l, from the names of light 0. */
 #define LIGHT(l)                                                                                   \
-    [SPH_REG_LIGHT0_X + SPH_LIGHT_STRIDE * l] = "LIGHT" #l "_X", "LIGHT" #l "_Y", "LIGHT" #l "_Z", \
-                                           "LIGHT" #l "_R", "LIGHT" #l "_G", "LIGHT" #l "_B"
+    [SPH_REG_LIGHT0_X + SPH_LIGHT_STRIDE * (l)] = "LIGHT" #l "_X", "LIGHT" #l "_Y",                \
+                                           "LIGHT" #l "_Z", "LIGHT" #l "_R", "LIGHT" #l "_G",      \
+                                           "LIGHT" #l "_B"
 
 const char *sphaera_register_name(int number) {
     static const char *const names[SPH_N_REGS] = {

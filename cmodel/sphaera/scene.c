@@ -137,6 +137,7 @@ static int make_arrays(const sphaera_arrays *a, struct sph_scene *scene, struct 
                                        .up = vec(a->up),
                                        .angle = a->angle,
                                        .hither = 1,
+                                       .shift = {a->shift[0], a->shift[1]},
                                        .width = a->width,
                                        .height = a->height},
                             .n_materials = a->n_materials,

@@ -87,6 +87,7 @@ typedef struct sphaera_arrays {
     const char *name;                 /* in messages and in the machine: "arrays" */
     double from[3], at[3], up[3];     /* camera: eye, what it looks at, upwards */
     double angle;                     /* vertical field of view, degrees, within 0..180 */
+    double shift[2];                  /* of the picture on its screen, in its heights: 0 0 */
     int width, height;                /* pixels, 1..16383 */
     double background[3], ambient[3]; /* colours */
     uint32_t n_materials, n_spheres, n_triangles, n_planes, n_lights;

@@ -66,6 +66,10 @@ static int quantise(const struct grid *g, const double origin[3], const double d
     return SOUND;
 }
 
+/* A ray of real numbers, before it has any: it starts on nothing, and may start inside a sphere. */
+#define REAL_RAY                                                                                   \
+    { .kind = SPH_PRIMARY, .skip = {SPH_ID_NONE, 0}, .inside = 1 }
+
 struct batch {
     const struct sph_machine *m;
     const struct sph_fast *fast; /* NULL: literally */
@@ -78,7 +82,7 @@ struct batch {
 
 /* The ray `at` of the batch, not set up. */
 static int take(const struct batch *b, size_t at, struct sph_ray *ray) {
-    *ray = (struct sph_ray){.kind = SPH_PRIMARY, .skip = {SPH_ID_NONE, 0}, .inside = 1};
+    *ray = (struct sph_ray)REAL_RAY;
     if (b->origins) return quantise(&b->grid, b->origins + 3 * at, b->directions + 3 * at, ray);
     int32_t any = 0;
     ray->inside = sph_machine_effect(b->m, SPH_EFFECT_INSIDE);
@@ -235,14 +239,11 @@ int sphaera_trace(const sphaera_machine *machine, const double origin[3], const 
         return -1;
     SPH_API_ENVIRONMENT;
     struct sph_error err = {""};
-    struct batch b = {.m = &machine->machine,
-                      .fast = sph_api_fast(machine),
-                      .origins = origin,
-                      .directions = direction,
-                      .grid = grid_of(&machine->machine)};
-    struct sph_ray ray;
+    struct batch b = {.m = &machine->machine, .fast = sph_api_fast(machine)};
+    const struct grid grid = grid_of(b.m);
+    struct sph_ray ray = REAL_RAY;
     *hit = (sphaera_hit){.id = SPHAERA_NONE};
-    switch (take(&b, 0, &ray)) {
+    switch (quantise(&grid, origin, direction, &ray)) {
     case NOT_FINITE:
         sph_fail(&err, "origin or direction is not finite");
         return sph_api_failed(&err, error);

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """A row for each item of a paper: where it stands, what the paper says, what is found here and why,
 where it is built (a file of cmodel/; a module of rtl/; - : in none), what tells the reason, of
-ORACLES, the command that shows it, and a word of VERDICTS. Names in braces are rows of docs/results/data/papers.tsv, of
-MEASURED, which page.py made of this experiment's runs, or rates of told(); other numbers are of the
-page that the row links."""
+ORACLES, the command that shows it, and a word of VERDICTS. Names in braces are rows of
+docs/results/data/papers.tsv, of MEASURED, which page.py made of this experiment's runs, or rates of
+told(); other numbers are of the page that the row links."""
 import re
 from pathlib import Path
 
@@ -39,7 +39,8 @@ BORODAVKA = [
      "([speed_and_area.md](speed_and_area.md#frames-a-second))",
      "-; rt_core", "text", "make bench", "built"),
     ("III", "viewpoint on the z axis, screen parallel to xOy, 1280x720",
-     "any camera, turned into this frame by [build](../design/builder.md#grid); up to 16383 x 16383",
+     "any camera, turned into this frame by [build](../design/builder.md#grid); up to 16383 x "
+     "16383",
      "builder/grid/axes.c; rt_registers", "bits", "make test ONLY=test_grid", "built"),
     ("IV.A, B", "sort by z, merge by 4; a sphere that is larger than the one around all is "
      "replaced by it",
@@ -63,35 +64,37 @@ BORODAVKA = [
      "make papers",
      "same"),
     ("IV.B", "a ray revises log4(N) + 4 spheres at best, 4 log4(N) + 1 at worst",
-     "true of rays that enter one node a level, which no more than {column4096_alone_most} tests "
-     "take of {worst_4096} allowed. Of the rays that end on a sphere those are "
-     "{column4096_alone} % in a row of 4096 spheres away from the eye, the kindest scene, and "
-     "{random4096_alone} % in random4096. The others enter nodes in vain, since spheres of "
-     "neighbours overlap: {column4096_entered} and {random4096_entered} nodes of "
-     "{column4096_levels} levels, {column4096_tests} and {random4096_tests} tests, more than the "
-     "bound in {column4096_above} and {random4096_above} %. Below, all four of a node are tested "
-     "at once, as by the core",
+     "true only of rays that enter one node on each level: they take at most "
+     "{column4096_alone_most} tests, where {worst_4096} are allowed. Of the rays that end on a "
+     "sphere these are {column4096_alone} % in the most favourable scene, a row of 4096 spheres "
+     "that leads away from the eye, and {random4096_alone} % in random4096. All others enter nodes"
+     " in vain, since the spheres of neighbouring nodes overlap. So rays enter "
+     "{column4096_entered} and {random4096_entered} nodes on {column4096_levels} levels and take "
+     "{column4096_tests} and {random4096_tests} tests; {column4096_above} and {random4096_above} %"
+     " of them take more than the bound. In the table below, as in the core, all four children of "
+     "a node are tested at once",
      "builder/tree/paper.c; rt_first", "numbers",
      "python3 -m lab papers why",
      "refuted"),
     ("IV.B", "sorting by z builds the tree rapidly and optimally",
-     "rapidly; but neighbours by z are none in space: in random4096 a line through the scene meets "
-     "{random4096_cover} of the nodes' spheres in the mean, by the ratio of their discs, and "
-     "{random4096_cover_space} where each level halves space twice. Its rays cost up to 110 times "
-     "the visits of the balanced tree's ([trees.md](trees.md))",
+     "rapidly, but not optimally: neighbours by z need not be neighbours in space. In random4096 a"
+     " line through the scene meets {random4096_cover} of the nodes' spheres in the mean, by the "
+     "ratio of their discs, and {random4096_cover_space} if each level halves space twice instead."
+     " Rays take up to 110 times the visits of the balanced tree ([trees.md](trees.md))",
      "builder/tree/paper.c; rt_first", "numbers",
      "build/sphaera render SCENE --tree paper --counters", "refuted"),
     ("V.B", "16 meridians and parallels find the sphere's pixels; more are more accurate",
-     "more are; 16 leave out 110 pixels of the sphere at 160x90, and {outline_hd} at the paper's "
-     "1280x720. Rows and columns join the points by stairs: of {outline_left_out} pixels, by real "
-     "numbers, {outline_between} lie between straight lines through the same points, the others "
-     "beyond the lines. Two points for each pixel of the radius are needed; 64 leave out "
-     "{outline_64} at 160x90 ([effects.md](effects.md#the-accurate-method-step-by-step))",
+     "more are more accurate, but 16 leave out 110 pixels of the sphere at 160x90, and "
+     "{outline_hd} at the paper's 1280x720, since rows and columns join the points by steps. Of "
+     "{outline_left_out} pixels that are left out by real numbers, {outline_between} lie inside "
+     "straight lines through the same points, the others outside of these too. Two points are "
+     "needed for each pixel of the radius; 64 leave out {outline_64} at 160x90 "
+     "([effects.md](effects.md#the-accurate-method-step-by-step))",
      "builder/background/outline.c; rt_spans", "numbers",
      "make background", "refuted"),
     ("V.B", "3 additions, 5 multiplications, 4 sines and cosines a point",
-     "with sines kept a row: 2.1 of them, 10.7 additions, 9.3 multiplications and 1.2 divisions a "
-     "point, the projection with it, which the paper leaves out",
+     "10.7 additions, 9.3 multiplications, 1.2 divisions and, as sines are kept for a row, 2.1 of "
+     "these a point; this includes the projection, which the paper leaves out",
      "builder/background/outline.c; -", "count",
      "make background", "other"),
     ("V.C", "X_P1 = X_C + 1.4",
@@ -99,7 +102,7 @@ BORODAVKA = [
      "an edge of 2.8 R, is that of X_C + 1.4 R, which is taken",
      "builder/background/outline.c; rt_background", "text", "make background", "refuted"),
     ("V.C", "2 additions and 2 subtractions for all 4 points",
-     "and then 13 additions, 5 multiplications, 5 divisions to project them",
+     "to these come 13 additions, 5 multiplications and 5 divisions to project them",
      "builder/background/outline.c; -", "count",
      "make background",
      "other"),
@@ -108,11 +111,11 @@ BORODAVKA = [
      "builder/background/outline.c; rt_background", "count",
      "build/sphaera background scenes/views/centred.nff --size 160x90", "same"),
     ("V.C", "the coefficient 1.4 prevents errors up to 90 degrees",
-     "up to {square_angle} degrees: the line from the eye through C + 1.4 R at v degrees passes "
-     "the centre at 1.4 R cos(v), which is less than R from there on. In `off_axis` it stands at "
-     "{square_point} degrees: {square_beyond} pixels that "
-     "see the sphere around all are outside of the square, and {square_lost} lose their sphere "
-     "([effects.md](effects.md#the-fast-method))",
+     "only up to {square_angle} degrees: the line from the eye through C + 1.4 R at v degrees "
+     "passes the centre at a distance of 1.4 R cos(v), which is less than R beyond that angle. In "
+     "`off_axis` the point is at {square_point} degrees, so {square_beyond} pixels that see the "
+     "sphere around everything are outside of the square, and {square_lost} of them lose what they"
+     " see ([effects.md](effects.md#the-fast-method))",
      "builder/background/outline.c; rt_background", "numbers",
      "make background", "refuted"),
     ("V.C", "the second method is less disadvantageous, and the hardware uses it",
@@ -133,16 +136,15 @@ BORODAVKA = [
      "build/sphaera operations scenes/paper5.nff",
      "same"),
     ("VI.A", "this is the minimum",
-     "{machine_mul} and {machine_add} with |VP|^2 made once a ray, as here: 3 multiplications and "
-     "2 additions of the 11 make it anew for each sphere, and one multiplication more squares R "
-     "here. "
-     "{geometric_mul} and {geometric_add} once the ray is normalised, which takes a root and 3 "
-     "divisions",
+     "{machine_mul} and {machine_add} are enough: 3 of the multiplications and 2 of the additions "
+     "calculate |VP|^2 for each sphere, where once a ray is enough; here one multiplication more "
+     "squares R. If the ray is normalised first, which takes a root and 3 divisions, "
+     "{geometric_mul} and {geometric_add} are enough",
      "reference/predicates.c; rt_leaf_sums", "count",
      "build/sphaera operations scenes/paper5.nff", "refuted"),
     ("VI.A", "VC.VP < 0 and R^2 < |VC|^2: no intersection",
-     "true, and exact integers never disagree ({wrong} of {tests} answers); it ends a test after "
-     "{behind_mul} multiplications",
+     "true: exact integers disagree in {wrong} of {tests} answers. The condition ends a test after"
+     " {behind_mul} multiplications",
      "reference/predicates.c; rt_leaf", "bits",
      "build/sphaera operations scenes/views/inside.nff --size 64x36", "same"),
     ("VI", "for inner nodes only whether there is an intersection",
@@ -187,15 +189,16 @@ BORODAVKA = [
      "trace/traverse.c; rt_first", "numbers",
      "make papers", "same"),
     ("Fig. 12", "all intersections are handled correctly",
-     "{hidden_mended} wrong pixels are left in the scene of Fig. 11; of a hundred spheres "
-     "{paper100_first} are wrong before, {paper100_mended} after, each sphere that the mirror ray "
-     "finds being asked whether it holds the point",
+     "{hidden_mended} wrong pixels are left in the scene of Fig. 11; with a hundred spheres "
+     "{paper100_first} are wrong before the correction and {paper100_mended} after, if every "
+     "sphere that the mirror ray finds is tested for holding the point",
      "trace/traverse.c; rt_interpenetrate", "numbers",
      "make papers", "same"),
     ("VII", "Rendering, L1, L2 work simultaneously, each makes a frame of its depth",
-     "the three frames of paper100 take {parts_0}, {parts_1} and {parts_2} cycles a pixel; one "
-     "engine gives all of them in {parts_2}, three in no less, for three times the cells. What "
-     "binds: {bound_parts_0} without reflections, {bound_parts_2} with two",
+     "by themselves the three frames of paper100 take {parts_0}, {parts_1} and {parts_2} cycles a "
+     "pixel. One engine gives all three in {parts_2}; three engines would take no less time, for "
+     "three times the cells. What binds: {bound_parts_0} without reflections, {bound_parts_2} with"
+     " two",
      "engine/layers.c; rt_shares", "limit",
      "make papers", "other"),
     ("VII", "1280x720",
@@ -213,8 +216,8 @@ BORODAVKA = [
      "built"),
     ("VII", "the frames' buffer is an internal FIFO of three frames",
      "three frames of 1280x720 in 24 bits are 8.3 million bytes, which no FPGA of its time holds: "
-     "[rt_frames](../reference/rt_top.md) keeps three in external memory, so that the display never "
-     "shows half of one, and a queue of lines is what is inside",
+     "[rt_frames](../reference/rt_top.md) keeps three in external memory, so that the display "
+     "never shows half of one, and a queue of lines is what is inside",
      "-; rt_frames", "text", "make top", "other"),
     ("VII", "a frame buffer of three frames, video by HDMI, control by a CPU",
      "[rt_top](../reference/rt_top.md) and [rt_video](../design/video.md), with a driver; every "
@@ -222,10 +225,10 @@ BORODAVKA = [
      "engine/layers.c; rt_top", "bits",
      "make top", "built"),
     ("VIII", "no comparison, since no one has used a sphere as a primitive",
-     "meshes of 1280 triangles a sphere are 24 to 31 dB farther from the truth, at 2200 times the "
-     "memory and three to eight times the cycles, by a core of {cells_facet} LUT4eq for "
-     "{cells_sphere}: below. It is their size that takes the time, from cold caches: what binds in "
-     "paper100 is {bound_paper100_3}, with spheres {bound_paper100_sphere}",
+     "compared below: meshes of 1280 triangles a sphere have 24 to 31 dB less, at 2200 times the "
+     "memory and three to eight times the cycles, on a core of {cells_facet} LUT4eq where spheres "
+     "take {cells_sphere}. Their size takes the time, from cold caches: what binds in paper100 is "
+     "{bound_paper100_3}, with spheres {bound_paper100_sphere}",
      "trace/traverse.c; rt_facet", "limit",
      "make papers",
      "other"),
@@ -237,17 +240,17 @@ PARK = [
      "texture/lod.c; rt_lod", "bits",
      "make test ONLY=test_levels", "same"),
     ("4", "log2(P_b) in five steps",
-     "as printed upside down, of the wrong unit, and counted twice; mended "
-     "([textures.md](../design/textures.md#p_b-by-build)). A wall of 2 by 2 with 256 by 256 "
-     "texels, square to "
-     "the ray at 800x480: a pixel and a texel have the same area, which is how the paper defines "
-     "P_b, where log2(P_b) is {base_true}. The steps give {base_printed}, where a pixel covers "
-     "{base_texels} texels; with twice the texels a side {base_printed_512} for {base_true_512}, "
-     "with lengths in feet {base_printed_feet} for {base_true_feet}",
+     "as printed they have the ratio upside down and the wrong unit, and count the image twice; "
+     "here they are corrected ([textures.md](../design/textures.md#p_b-by-build)). Take a wall of "
+     "2 by 2 with 256 by 256 texels, at right angles to the ray, at 800x480. By the paper's "
+     "definition P_b is where a pixel and a texel have the same area: log2(P_b) is {base_true}. "
+     "The printed steps give {base_printed}, where a pixel covers {base_texels} texels; with twice"
+     " the texels a side they give {base_printed_512} in place of {base_true_512}, with lengths in"
+     " feet {base_printed_feet} in place of {base_true_feet}",
      "scene/texture_base.c; rt_lod", "numbers",
      "build/sphaera build SCENE --lod paper", "refuted"),
     ("4", "the triangle is taken as square to the ray",
-     "a fifth of a level off at 30 degrees, one at 60 "
+     "here too, so the level is off by a fifth at 30 degrees, by one at 60 "
      "([texture_results.md](texture_results.md#every-angle))",
      "scene/texture_base.c; rt_lod", "reference",
      "make textures", "same in kind"),
@@ -261,31 +264,31 @@ PARK = [
      "only in pixels of an edge, where one ray sees one of both triangles: it is not built",
      "reference/levels.c; -", "text", "-", "not built"),
     ("3", "ray differentials know curved surfaces and cost too much; BMRT estimates by distance",
-     "drawn below: BMRT's estimate takes the levels of path length, and both are off by "
-     "{levels_mended} (RMS of linear light), ray differentials by {levels_rays}; a cone of rays is "
-     "no third way, path length being its width",
+     "drawn below: BMRT's estimate chooses the levels of path length, and both are off by "
+     "{levels_mended} (RMS of linear light), ray differentials by {levels_rays}. Cones of rays are"
+     " the same as path length, which is their width",
      "reference/levels.c; rt_path", "reference",
      "make papers", "same in kind"),
     ("5", "log2(P_b) is kept in the triangle cache",
-     "in the mapping record, which a textured hit reads anyway: no read and no miss more; beside "
-     "the triangle it finds 2 of 256 bits free. Alone it takes a read more a hit, and a cache of "
-     "16 lines misses {alone_kitchen} of {hits_kitchen} in our kitchen, {alone_of_field} % on "
-     "ground of 80 000 triangles: below",
+     "here it is in the mapping record, which a textured hit reads anyway, so it costs neither a "
+     "read nor a miss. Beside the triangle only 2 of 256 bits are free. In a place of its own it "
+     "would take one more read a hit, of which a cache of 16 lines misses {alone_kitchen} of "
+     "{hits_kitchen} in our kitchen, and {alone_of_field} % on a ground of 80 000 triangles "
+     "(below)",
      "builder/texture/map.c; rt_texture_map", "count",
      "make papers", "other"),
     ("5, Fig. 1", "texture mapping unit, ray stack, triangle and texture cache",
-     "[rt_texture](../design/textures.md#rt_texture); of two rays at a hit one goes, and the other "
-     "waits "
-     "with its path in a place for each depth ([rt_rays](../design/shading.md#rt_refract)), "
-     "which is the "
-     "paper's ray stack; without refraction no ray waits",
+     "[rt_texture](../design/textures.md#rt_texture). Of two rays at a hit one goes on, and the "
+     "other waits with its path in a place for each depth "
+     "([rt_rays](../design/shading.md#rt_refract)), which is the paper's ray stack; without "
+     "refraction no ray waits",
      "texture/lookup.c; rt_texture", "bits",
      "make test ONLY=test_core_texture",
      "built"),
     ("6", "all scenes tend to higher levels",
-     "so do ours; shares differ with how images are laid. In the paper's own "
-     "([texture_results.md](texture_results.md#bart-levels)) the robot's are the paper's, the "
-     "museum's nearly",
+     "so do ours, with other shares, since these depend on how images lie on surfaces. In the "
+     "paper's own scenes ([texture_results.md](texture_results.md#bart-levels)) the shares of the "
+     "robot agree, those of the museum nearly",
      "reference/levels.c; rt_lod", "reference",
      "make textures", "same in kind"),
     ("Table I", "61, 60, 1, 2, 1 operations for BMRT's levels",
@@ -297,13 +300,13 @@ PARK = [
      "builder/texture/keep.c; rt_lod", "count",
      "make textures", "same"),
     ("Table I", "12, 13, 2, 2, 2 with P_b at the hit",
-     "9, 9, 1, 1, 2: the mended formula is shorter",
+     "9, 9, 1, 1, 2, since the corrected formula is shorter",
      "scene/texture_base.c; -", "count",
      "make textures", "other"),
     ("Table I", "hit rates of 74 to 80 % without, 94 to 99 % with MIP-mapping",
      "51 to 53 %, and 91 to 96 %; in its own scenes 58 to 77 %, and 83 to 96 % "
-     "([texture_results.md](texture_results.md#bart-cache)); a cache line holds 8 texels, of the "
-     "paper's nothing is told",
+     "([texture_results.md](texture_results.md#bart-cache)). Here a cache line holds 8 texels; the"
+     " paper does not say how many its lines hold",
      "memory/cache.c; rt_cache", "count",
      "make textures", "same in kind"),
     ("Table I", "3.7, 6.3, 6.4 frames a second",
@@ -318,17 +321,17 @@ PARK = [
      "make textures", "same in kind"),
     ("6", "88 % of the logic cells and 78 % of the memory of a Virtex-5 LX330",
      "our core for its scenes, ten bounces and six lights, mapped for xc7: {park_lut} LUT "
-     "({park_lut_of} % of an LX330), {park_ff} FF ({park_ff_of} %), {park_bram} block RAMs of "
-     "36 kbit ({park_bram_of} %), {park_dsp} DSP48 ({park_dsp_of} %); the paper does not tell "
-     "what of its machine takes how much",
+     "({park_lut_of} % of an LX330), {park_ff} FF ({park_ff_of} %), {park_bram} block RAMs of 36 "
+     "kbit ({park_bram_of} %), {park_dsp} DSP48 ({park_dsp_of} %); the paper does not say which "
+     "part of its machine takes how much",
      "-; rt_core", "text",
      f"make synth TARGET=xc7 EFFECTS={PARK_CORE}",
      "not told"),
     ("6", "up to ten bounces",
      "ten (`--depth 10`, `REFLECT` 10): our kitchen has {kitchen_10_rays} rays a pixel, "
-     "{kitchen_2_rays} with two, and takes {kitchen_10} cycles a pixel for {kitchen_2}; two "
-     "mirrors that face each other {mirrors_10_rays} for {mirrors_2_rays} rays, {mirrors_10} for "
-     "{mirrors_2} cycles",
+     "{kitchen_2_rays} with two, and takes {kitchen_10} cycles a pixel in place of {kitchen_2}. "
+     "Two mirrors that face each other have {mirrors_10_rays} in place of {mirrors_2_rays} rays "
+     "and take {mirrors_10} in place of {mirrors_2} cycles",
      "shade/colour.c; rt_shares", "bits",
      "make papers", "built"),
     ("Fig. 2", "aliasing on the kitchen's floor without MIP-mapping",
@@ -387,20 +390,19 @@ AROXA = [
      "make kinds",
      "built"),
     ("III.B", "Listings 3.2 to 3.5",
-     "built, with [what they get wrong](../design/bih.md#what-the-listings-get-wrong). Listing "
-     "3.5, "
-     "taken literally, gives another sphere than a look at all of them in {listing_printed} pixels "
-     "of Scenario 1 with 64 spheres at 40x68, where {listing_seen} see one; in {listing_text} with "
-     "its two branches exchanged, as the text has them; in {listing_aware} where the child that is "
-     "near goes by the ray's direction",
+     "built, but corrected ([what they get wrong](../design/bih.md#what-the-listings-get-wrong)). "
+     "In Scenario 1 with 64 spheres at 40x68 {listing_seen} pixels see a sphere. Listing 3.5, "
+     "taken literally, finds another one than brute force does in {listing_printed} pixels, in "
+     "{listing_text} with its two branches exchanged, as the text has them; and in {listing_aware}"
+     " if also the ray's direction decides which child is near",
      "trace/bih_walk.c; rt_bih_step", "numbers",
      "make test ONLY=test_bih", "refuted"),
     ("III.B", "boxes of primitives instead of their coordinates build 2 or 3 times as fast",
-     "cited from the BIH's own authors and not tried there; of a sphere, the thesis's only primitive, "
-     "the middle of the box is the centre. Here every primitive is sorted by its box",
+     "cited from the BIH's own authors and not tried there; of a sphere, the thesis's only "
+     "primitive, the middle of the box is the centre. Here every primitive is sorted by its box",
      "builder/tree/bih.c; -", "text", "make kinds", "not told"),
     ("Table 4.2", "statistics of three scenarios",
-     "Scenario 1 to the last number, the others in kind",
+     "Scenario 1 agrees to the last number, the others in kind",
      "builder/tree/bih.c; -", "count",
      "make scenarios", "same"),
     ("Fig. 4.1", "three scenarios", "drawn below; how they are made, says "
@@ -416,15 +418,16 @@ AROXA = [
      "make scenarios",
      "same in kind"),
     ("IV.D", "a BIH of one leaf is slower than brute force",
-     "{leaf_64} cycles a pixel for {leaf_brute}: two thirds of the rays miss the box around all "
-     "spheres, and test none. What binds: {bound_one_leaf}; without a tree {bound_brute}",
+     "here it takes {leaf_64} cycles a pixel in place of {leaf_brute}, since two thirds of the "
+     "rays miss the box around all spheres and test none. What binds: {bound_one_leaf}; without a "
+     "tree {bound_brute}",
      "trace/bih_walk.c; rt_bih", "limit",
      "make papers", "other"),
     ("Fig. 4.4", "BIH 8 is best in 7 of 9",
-     "BIH {best_leaf} in {best_of} of 9, by at most {best_by} % before BIH 1, since what binds "
-     "most does not depend on leaves as small: keys of hits on the plane in {keys_least} to "
-     "{keys_most} % of the clocks, the set-up of rays for planes in {setup_least} to {setup_most} "
-     "%. With BIH 16 exact tests bind as well, in up to {records_most} % "
+     "BIH {best_leaf} is best in {best_of} of 9, but at most {best_by} % better than BIH 1, since "
+     "with small leaves other units bind: keys of hits on the plane in {keys_least} to {keys_most}"
+     " % of the clocks, the set-up of rays for planes in {setup_least} to {setup_most} %. With BIH"
+     " 16 exact tests bind as well, in up to {records_most} % "
      "([trees.md](trees.md#figure-44-speed))",
      "trace/bih_walk.c; rt_bih", "limit",
      "make scenarios-rtl", "other"),
@@ -434,16 +437,16 @@ AROXA = [
      "trace/bih_walk.c; rt_bih", "limit",
      "make scenarios-rtl", "same in kind"),
     ("IV.F", "Scenario 2 gains most by a BIH, Scenario 3 least",
-     "3 gains least with 64, 128 and 256 spheres, 2 most with 256 alone",
+     "Scenario 3 gains least with 64, 128 and 256 spheres; Scenario 2 gains most only with 256",
      "trace/bih_walk.c; rt_bih", "limit",
      "make scenarios-rtl",
      "same in kind"),
     ("Fig. 4.4", "brute force: 2.14 frames a second with 128 spheres, 1.87 with 256",
-     "in the RTL 256 take 2.4 times the cycles of 128: tests are twice as many, and no unit binds "
-     "in {brute_none} % of the clocks, as rays wait for memory: 257 records are more than the 128 "
-     "lines of the leaf cache. The thesis's two figures contradict its 1495 %: what is "
-     "no test takes at most {brute_rest} ms then, so 256 spheres at most {brute_most} frames a "
-     "second, unless a test takes {brute_less} % less time when there are twice as many",
+     "in the RTL 256 spheres take 2.4 times the cycles of 128: there are twice as many tests, and "
+     "in {brute_none} % of the clocks rays wait for memory, since 257 records do not fit the 128 "
+     "lines of the leaf cache. The thesis's two figures contradict its 1495 %: by that figure all "
+     "but the tests takes at most {brute_rest} ms, so 256 spheres have at most {brute_most} frames"
+     " a second, unless a test takes {brute_less} % less time when there are twice as many",
      "trace/leaf_unit.c; rt_leaf_unit", "limit",
      "make scenarios-rtl", "other"),
     ("Table 4.2", "leaves of 8 save 87.51, 81.85 and 81.02 % of the nodes",
@@ -461,9 +464,10 @@ AROXA = [
      "make scenarios",
      "same in kind"),
     ("III.A", "the tree is built anew for every frame",
-     "all spheres of the scenarios moving, with build and upload: a frame takes {moving_100} "
-     "million clocks with 100 spheres, {moving_10000} over a BIH with 10 000, and the CPU waits "
-     "for the core; frames a second: {moving_rate} ([trees.md](trees.md#everything-moves))",
+     "measured with all spheres of the scenarios moving, including build and upload: a frame takes"
+     " {moving_100} million clocks with 100 spheres, {moving_10000} in a BIH with 10 000, and the "
+     "CPU waits for the core; frames a second: {moving_rate} "
+     "([trees.md](trees.md#everything-moves))",
      "builder/tree/bih.c; rt_run", "limit",
      "make moving",
      "same in kind"),
@@ -472,8 +476,8 @@ AROXA = [
      "make scenarios-rtl",
      "same in kind"),
     ("V.A", "good speed needs no heuristic in the build",
-     "a tree by surface area draws paper100 {heuristic} times as fast as the best BIH does; "
-     "visits of nodes bind both ([trees.md](trees.md#beside-the-other-trees))",
+     "a tree by the surface-area heuristic draws paper100 {heuristic} times as fast as the best "
+     "BIH; visits of nodes bind both ([trees.md](trees.md#beside-the-other-trees))",
      "builder/tree/reinsert.c; rt_traverse", "limit",
      "make scenarios-rtl", "other"),
     ("V.B", "other platforms",
@@ -488,7 +492,7 @@ AROXA = [
      "memory/cache.c; rt_cache", "bits",
      "make test ONLY=test_core", "built"),
     ("V.B", "caustics, diffuse inter-reflection",
-     "they take many rays a hit, and a machine of one ray a token has no random directions",
+     "they would take many rays a hit in random directions, which this machine does not have",
      "-; -", "text",
      "-",
      "not built"),
@@ -576,6 +580,9 @@ def table(paper):
             raise KeyError(f"{what}: the reason {oracle} is not one of ORACLES")
         if (command == "-") != (verdict == "not built"):
             raise KeyError(f"{what}: what is built, and that alone, has a command")
+        suite = re.fullmatch(r"make test ONLY=([\w.]+)", command)
+        if suite and not list(Path("tests").glob(f"*/{suite[1]}*")):
+            raise KeyError(f"{what}: there is no suite {suite[1]}")
         for _, figure in by_hand(here):
             raise KeyError(f"{what}: {figure} is told by hand, not by told()")
         if "not measured" in here:

@@ -263,8 +263,8 @@ def profile(run):
                      f"{100 * spent['sph_traverse'] / spent['sph_render']:.0f}\n")
 
 
-PARTS_OF = {part.__name__: part for part in (operations, search, corrected, shapes, moved, parts, bounces,
-                                             bases, leaves, ways, scenarios, profile)}
+PARTS_OF = {part.__name__: part for part in (operations, search, corrected, shapes, moved, parts,
+                                             bounces, bases, leaves, ways, scenarios, profile)}
 
 
 def main(tool, folder, *names):

@@ -233,5 +233,6 @@ def main(page, folder, synth):
         "shaped": values_of(shaped, synth), "park": values_of(park, synth),
         "bound": values_of(bound, folder), "why": values_of(reasons, folder),
         "search": lambda: search(folder), "operations": lambda: operations(folder),
-        "shapes": lambda: shapes(folder), "moved": lambda: moved(folder), "bases": lambda: bases(folder),
+        "shapes": lambda: shapes(folder), "moved": lambda: moved(folder),
+        "bases": lambda: bases(folder),
         "leaves": lambda: leaves(folder)})

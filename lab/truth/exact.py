@@ -136,7 +136,8 @@ def see(path, size):
     right = unit(cross(camera["up"], back))
     axes, screen = (right, cross(back, right), back), height / (2 * tangent(camera["angle"][0] / 2))
     aside, above = camera.get("shift", (0, 0))
-    left, top = (1 - width) / Decimal(2) + aside * height, (height - 1) / Decimal(2) + above * height
+    left = (1 - width) / Decimal(2) + aside * height
+    top = (height - 1) / Decimal(2) + above * height
     flat = eye, axes, float(screen), (float(left), float(top))
     every = range(width), range(height)
     tests = [(sphere(eye, said), every) for said in spheres]

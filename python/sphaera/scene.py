@@ -144,8 +144,9 @@ def scene_of(*, spheres: Any = (), triangles: Any = (), planes: Any = (), materi
              plane_materials: Any = None, normals: Any = None, lights: Any = (),
              light_colours: Any = None, eye: Sequence[float] = (0, 0, 1),
              at: Sequence[float] = (0, 0, 0), up: Sequence[float] = (0, 1, 0), angle: float = 45,
-             width: int = 320, height: int = 180, background: Sequence[float] = (0, 0, 0),
-             ambient: Sequence[float] = (0, 0, 0), name: str = "arrays") -> Scene:
+             shift: Sequence[float] = (0, 0), width: int = 320, height: int = 180,
+             background: Sequence[float] = (0, 0, 0), ambient: Sequence[float] = (0, 0, 0),
+             name: str = "arrays") -> Scene:
     """A scene of arrays, which are copied.
 
     spheres    [n, 4]: centre, radius          triangles  [n, 3, 3]: corners
@@ -154,6 +155,7 @@ def scene_of(*, spheres: Any = (), triangles: Any = (), planes: Any = (), materi
     ..._materials   [n]: rows of materials; None: the first
     lights     [n, 3], at most 8               light_colours  [n, 3]; None: 1 / sqrt(n)
     eye, at, up, angle   the camera; angle: vertical field of view, degrees
+    shift                of the picture's middle to the right and up, in heights of the picture
     width, height        pixels                background, ambient   colours, 0 to 1
 
     Ids are rows of the spheres, then the triangles, then the planes, less those that
@@ -194,6 +196,7 @@ def scene_of(*, spheres: Any = (), triangles: Any = (), planes: Any = (), materi
     for field, given in (("from", eye), ("at", at), ("up", up), ("background", background),
                          ("ambient", ambient)):
         setattr(arrays, field, [float(x) for x in rows(field, [given], (3,))[0]])
+    arrays.shift = [float(x) for x in rows("shift", [shift], (2,))[0]]
     arrays.angle, arrays.width, arrays.height = angle, width, height
     scene = made(lib.sphaera_scene_make, lib.sphaera_scene_free, "sphaera_scene", arrays)
     del kept

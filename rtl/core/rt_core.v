@@ -94,14 +94,13 @@ module rt_core #(
     assign light[`RT_LIGHT_PART]      = light_part;
     assign light[`RT_LIGHT_DATA]      = cfg_data_q;
     wire [31:0] built = `RT_EFFECTS_BUILT;
-    localparam [`RT_LINE_BITS-1:0] LAST_LINE = {`RT_LINE_BITS{1'b1}} >> (`RT_LINE_BITS - LINE_BITS);
     wire [3:0]  ways  = {CONES != 0, SPANS != 0, RECT != 0, 1'b1};
     wire missing = (effects & ~built) != 32'd0 ||    // the machine asks for what is not here
                    bih != (ACCEL != 0) || boxes != (BOXES != 0) ||
                    coarse != (TEXTURE != 0 ? COARSE[3:0] : 4'd0) ||
                    {28'd0, regs[`RT_REGS_MAX_DEPTH]} > `RT_DEEPEST ||
                    {28'd0, regs[`RT_REGS_N_LIGHTS]} > LIGHTS ||
-                   regs[`RT_REGS_MEM_LINES] > LAST_LINE ||
+                   regs[`RT_REGS_MEM_LINES] >> LINE_BITS != 0 ||
                    !ways[bg_mode] || (bg_mode == 2'd3 && {27'd0, bg_count} > CONES);
     localparam [31:0] PROFILE = W << `RT_WIDTH_W_LSB | WD << `RT_WIDTH_WD_LSB |
                                 PQ << `RT_WIDTH_PQ_LSB | NG << `RT_WIDTH_NG_LSB |

@@ -116,18 +116,19 @@ module rt_cache #(
     wire [`RT_LINE_BITS-1:0] s0_line = skid_q ? skid_line_q : req_line_i;
     wire [SB-1:0]  s0_set = s0_line[PB-1:GB];
     wire           alloc;                   // this cycle allocates a way
-    wire           s0_stale = alloc && s0_set == s2_set;
-    wire           s1_stale = alloc && s1_set == s2_set;
+    wire           s0_valid = skid_q || req_valid_i;
+    wire           s0_stale = alloc && s0_valid && s0_set == s2_set;
+    wire           s1_stale = alloc && s1_valid_q && s1_set == s2_set;
     assign req_ready_o = !skid_q;
     always @(posedge clk) begin
         stale_q <= walk_q || s0_stale || s1_stale;
-        skid_q <= !s1_free && (skid_q || req_valid_i);
+        skid_q <= !s1_free && s0_valid;
         if (!skid_q) begin
             skid_line_q <= req_line_i;
             skid_tag_q  <= req_tag_i;
         end
         if (s1_free) begin
-            s1_valid_q <= skid_q || req_valid_i;
+            s1_valid_q <= s0_valid;
             s1_line_q  <= s0_line;
             s1_tag_q   <= skid_q ? skid_tag_q : req_tag_i;
         end
@@ -170,7 +171,7 @@ module rt_cache #(
         .clk(clk),
         .wr_en_i(walk_step || alloc), .wr_addr_i(walk_q ? walk_set_q : s2_set),
         .wr_data_i(s2_keys),
-        .rd_en_i(!walk_q && (stale_q ? !s1_stale : s1_free && !s0_stale)),
+        .rd_en_i(!walk_q && (stale_q ? s1_valid_q && !s1_stale : s1_free && s0_valid && !s0_stale)),
         .rd_addr_i(stale_q ? s1_set : s0_set), .rd_data_o(s1_keys)
     );
     genvar g;

@@ -86,13 +86,12 @@ module rt_traverse #(
     // ---- queues of tokens: rays under way first, then new ones ----
     wire             q_next_valid, start_valid, start_pixel, next_in_ready;
     wire [SLOTW-1:0] q_next_slot, start_slot;
-    wire [`RT_LINE_BITS-1:0] q_next_line;
     reg  [3:0]       held_q;                         // tokens chosen that the cache has not taken
     wire             room = !held_q[3];
-    rt_fifo #(.WIDTH(SLOTW+`RT_LINE_BITS), .DEPTH(SLOTS)) u_next_queue (
+    rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_next_queue (
         .clk(clk), .rst(rst), .in_valid_i(next_valid_i), .in_ready_o(next_in_ready),
-        .in_data_i({next_slot_i, next_line_i}),
-        .out_valid_o(q_next_valid), .out_ready_i(room), .out_data_o({q_next_slot, q_next_line})
+        .in_data_i(next_slot_i),
+        .out_valid_o(q_next_valid), .out_ready_i(room), .out_data_o(q_next_slot)
     );
 
     // ---- what bounds children: rays set up for it, and the test ----
@@ -228,8 +227,10 @@ module rt_traverse #(
     reg              i1_valid_q, i1_fresh_q, i1_pixel_q, i2_valid_q, i2_fresh_q, i2_bad_line_q;
     reg              i3_valid_q, i3_fresh_q, i3_bad_line_q, i3_bad_limit_q;
     reg [SLOTW-1:0]  i1_slot_q, i2_slot_q, i3_slot_q;
-    reg [`RT_LINE_BITS-1:0] i1_line_q, i2_line_q, i3_line_q;
+    reg [`RT_LINE_BITS-1:0] i2_line_q, i3_line_q;
     reg [VB-1:0]     i2_ray_q, i2_pixel_q, i3_ray_q, i3_pixel_q;   // visits before this one
+    wire [`RT_LINE_BITS-1:0] next_line;
+    wire [`RT_LINE_BITS-1:0] i1_line = i1_fresh_q ? regs_i[`RT_REGS_ROOT] : next_line;
     wire [VB-1:0]    ray_visits, pixel_visits;
     wire             taken;                          // the cache takes a request
     wire             i3_kill = i3_bad_line_q || i3_bad_limit_q;
@@ -240,14 +241,13 @@ module rt_traverse #(
         i1_fresh_q <= !q_next_valid;
         i1_pixel_q <= !q_next_valid && start_pixel;
         i1_slot_q  <= any_slot;
-        i1_line_q  <= q_next_valid ? q_next_line : regs_i[`RT_REGS_ROOT];
         i2_valid_q <= i1_valid_q;
         i2_fresh_q <= i1_fresh_q;
         i2_slot_q  <= i1_slot_q;
-        i2_line_q  <= i1_line_q;
+        i2_line_q  <= i1_line;
         i2_ray_q   <= i1_fresh_q ? {VB{1'b0}} : ray_visits;
         i2_pixel_q <= i1_pixel_q ? {VB{1'b0}} : pixel_visits;
-        i2_bad_line_q <= i1_line_q >= mem_lines;
+        i2_bad_line_q <= i1_line >= mem_lines;
         i3_valid_q <= i2_valid_q;
         i3_fresh_q <= i2_fresh_q;
         i3_slot_q  <= i2_slot_q;
@@ -261,6 +261,10 @@ module rt_traverse #(
             i1_valid_q <= 1'b0; i2_valid_q <= 1'b0; i3_valid_q <= 1'b0; held_q <= 4'd0;
         end
     end
+    rt_slot_ram #(.WIDTH(`RT_LINE_BITS), .SLOTS(SLOTS), .OLD(0), .LUTS(LUTS)) u_lines (
+        .clk(clk), .wr_en_i(next_valid_i), .wr_addr_i(next_slot_i), .wr_data_i(next_line_i),
+        .rd_en_i(any_valid && room), .rd_addr_i(any_slot), .rd_data_o(next_line)
+    );
     rt_slot_ram #(.WIDTH(2*VB), .SLOTS(SLOTS), .OLD(0), .LUTS(LUTS)) u_visits (
         .clk(clk), .wr_en_i(i3_valid_q), .wr_addr_i(i3_slot_q),
         .wr_data_i({i3_ray_q + one, i3_visits}),

@@ -137,12 +137,13 @@ def arrays():
     balls = np.array([[0, 0, 0, 1], [1.5, 0, 0, 0.5]])
     floor = [[[-4, -1, -4], [4, -1, -4], [0, -1, 5]]]
     stuff = [[0.9, 0.3, 0.2, 0.7, 0.3, 10, 0, 1], [0.2, 0.3, 0.9, 1, 0, 0, 0, 1]]
-    view = {"eye": (0, 1, 9), "angle": 40, "width": 64, "height": 48}
+    view = {"eye": (0, 1, 9), "angle": 40, "shift": (0.1, -0.2), "width": 64, "height": 48}
     scene = sphaera.scene_of(spheres=balls, sphere_materials=[1, 0], triangles=floor,
                              materials=stuff, planes=[[0, -2, 0, 0, 1, 0]], lights=[[4, 6, 8]],
                              background=(0.1, 0.2, 0.3), **view)
     assert (scene.spheres, scene.facets) == (2, 2)
-    text = ("v from 0 1 9 at 0 0 0 up 0 1 0 angle 40 resolution 64 48\nb 0.1 0.2 0.3\nl 4 6 8\n"
+    text = ("v from 0 1 9 at 0 0 0 up 0 1 0 angle 40 shift 0.1 -0.2 resolution 64 48\n"
+            "b 0.1 0.2 0.3\nl 4 6 8\n"
             "f 0.2 0.3 0.9 1 0 0 0 1\ns 0 0 0 1\nf 0.9 0.3 0.2 0.7 0.3 10 0 1\ns 1.5 0 0 0.5\n"
             "p 3 -4 -1 -4 4 -1 -4 0 -1 5\nplane 0 -2 0 0 1 0\n")
     machine = scene.build(profile="fine")

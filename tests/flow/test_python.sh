@@ -29,8 +29,8 @@ check "a sweep" sh -c "'$mine' '$root/examples/python/sweep.py' '$root/scenes/pa
 check "... in ten lines" [ "$(sed '1,/^import sys/d' "$root/examples/python/sweep.py" |
     grep -c .)" -le 10 ]
 check "rays, stages, a scoreboard" sh -c "'$mine' '$root/examples/python/rays.py' >rays &&
-    cat rays && grep -qE '^[1-9][0-9]% hit, [0-9.]+ visits a ray' rays && grep -q '^root root=0x' rays &&
-    grep -q '^1 differs: pixel 20,20 differs' rays"
+    cat rays && grep -qE '^[1-9][0-9]% hit, [0-9.]+ visits a ray' rays &&
+    grep -q '^root root=0x' rays && grep -q '^1 differs: pixel 20,20 differs' rays"
 packages=$("$mine" -c 'import sphaera; print(sphaera.__path__[0] + "/..")')
 
 # ---- OpenImageIO is loaded for what needs it ----

@@ -158,6 +158,8 @@ check "a claim that is nowhere in the model" claim $claims \
     's#reference/predicates.c; rt_leaf_sums#reference/predictions.c; rt_leaf_sums#' predictions
 check "a claim that is nowhere in the RTL" claim $claims \
     's#predicates.c; rt_leaf_sums#predicates.c; rt_leaf_sum#' 'no rt_leaf_sum.v'
+check "a claim shown by a suite that is not there" claim $claims \
+    's/ONLY=test_levels/ONLY=test_level_of/' 'no suite test_level_of'
 check "a claim that is built, without a command" claim $claims \
     's/"make background", "other"),/"-", "other"),/' 'has a command'
 check "a claim that puts its answer off" claim $claims \

@@ -138,9 +138,9 @@ done <<END
 oblique 3 2 20x17 --profile standard
 paper100 2 2 40x23 --profile draft --background exact
 paper100 2 1 32x36 --profile standard --background rect --effects met
-facets/room 2 2 25x18 --profile fine
-texture/hall 3 1 21x36 --profile standard --shift 0.2,0
-refraction/water 1 3 64x12 --profile standard
+facets/room 2 2 25x18 --profile fine --accel box4
+texture/hall 3 1 21x36 --profile standard --accel bvh4 --shift 0.2,0
+refraction/water 1 3 64x12 --profile standard --accel bih
 END
 
 # ---- what is refused ----
