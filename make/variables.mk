@@ -93,9 +93,9 @@ MOVIE ?=
 ##             cxxrtl: Yosys's C++ (make cxxrtl-setup); ecp5, xc7: gates that Yosys maps to;
 ##             silicon: standard cells of LIB (make silicon-setup)
 SIM ?= verilator
-## LIB <text>| standard cells, a file in Liberty format, of make silicon (empty: OSU's, of 0.18 um)
+## LIB <word>| standard cells, a file in Liberty format, of make silicon (empty: OSU's, of 0.18 um)
 LIB ?=
-## MACROS <text>| its table of memories (empty: lab/silicon/macros.tsv)
+## MACROS <word>| its table of memories (empty: lab/silicon/macros.tsv)
 MACROS ?=
 ## CLOCK_GATES 0|1 if 1, gates stop the clock of its flip-flops that wait, if Yosys knows such
 CLOCK_GATES ?= 1
