@@ -100,7 +100,7 @@ pkg         = $(shell pkg-config $(1))
 MODEL_LIBS  = -Wl,--as-needed $(call pkg,--libs $(MODEL_PACKAGES)) -lm
 IMAGE_LIBS  = $(call pkg,--libs OpenImageIO)
 # What the model library itself asks of pkg-config.
-MODEL_PACKAGES := expat gmp libpng mpfr
+MODEL_PACKAGES := expat gmp libpng mpfr zlib
 # 1 if there is OpenImageIO, which reads textures; assimp, which reads meshes: make/mesh.mk; if the
 # live view can have a window: make/view.mk
 OIIO       := $(shell pkg-config --exists OpenImageIO && echo 1)

@@ -51,7 +51,7 @@ def program(bench, folder, compiler):
                    *sorted(glob.glob(f"{bench.build}/sim/obj/bench_*.o")),
                    f"{bench.build}/test/libhard.a", f"{bench.build}/libsphaera.a",
                    "-Wl,--as-needed",
-                   *benches.words_of("pkg-config", "--libs", "gmp", "mpfr", "expat"), "-lm",
+                   *benches.words_of("pkg-config", "--libs", "gmp", "mpfr", "expat", "zlib"), "-lm",
                    "-lpthread", "-o", f"{folder}/bench"], log)
     return f"{folder}/bench"
 

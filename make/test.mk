@@ -36,6 +36,10 @@ test: ## every check; ends with `N passed, M failed`
 	+@unbuilt=; $(MAKE) --no-print-directory -k suites || unbuilt=1; \
 	    UNBUILT=$$unbuilt BUILD=$B JOBS=$(JOBS) sh tests/run.sh $(RUN)
 
+.PHONY: gemmi-setup
+gemmi-setup: ## installs gemmi (apt), which readers of molecules are checked against
+	@sh sim/setup.sh python3-gemmi
+
 .PHONY: suites budget
 suites: $(if $(filter %.sh,$(RUN)),$(TOOL)) $(RUN)
 

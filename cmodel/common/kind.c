@@ -8,7 +8,7 @@
 #include <strings.h>
 #include <sys/stat.h>
 
-#include "common/file.h"
+#include "common/packed.h"
 
 enum { HEAD = 4096 }; /* bytes that are looked at */
 
@@ -37,7 +37,6 @@ static const struct {
     {"P6", 2, 0, {SPH_FILE_IMAGE, "a PPM image"}},
     {"glTF", 4, 0, {SPH_FILE_GLB, "a binary glTF scene"}},
     {"ply", 3, 0, {SPH_FILE_PLY, "a PLY mesh"}},
-    {"\x1f\x8b", 2, 0, {SPH_FILE_OTHER, "a file packed by gzip: unpack it first"}},
     {"PK\x03\x04", 4, 0, {SPH_FILE_OTHER, "a ZIP archive: unpack it first"}},
     {"BLENDER", 7, 0, {SPH_FILE_OTHER, "a Blender file: export it as glTF"}},
     {"%PDF", 4, 0, {SPH_FILE_OTHER, "a PDF document"}},
@@ -148,29 +147,50 @@ static int is_stl(const char *path, const char *head, size_t n) {
     return about.st_size == TITLE + 4 + EACH * triangles;
 }
 
-enum sph_file_kind sph_file_kind(const char *path, const char **looks) {
-    char head[HEAD + 1] = "";
-    const char *slash = strrchr(path, '/'), *dot = strrchr(slash ? slash : path, '.'), *none;
+/* What stands behind the last point of a name, of n characters; NULL: there is none. */
+static const char *ending_of(const char *name, size_t n) {
+    while (n > 0 && name[n - 1] != '.' && name[n - 1] != '/')
+        n--;
+    return n > 0 && name[n - 1] == '.' ? name + n : NULL;
+}
+
+/* What the file at path is by its first n bytes, and by its ending, of so many characters. */
+static struct look look_at(const char *path, const char *head, size_t n, const char *ending,
+                           size_t length) {
     struct look look = {SPH_FILE_NFF, NULL};
-    FILE *file = sph_input_open(path, SPH_INPUT_ANY, NULL);
-    size_t n = file ? fread(head, 1, HEAD, file) : 0;
-    if (file) fclose(file);
-    if (!looks) looks = &none;
     for (size_t i = 0; i < sizeof starts / sizeof *starts; i++)
         if (n >= starts[i].at + starts[i].n &&
-            !memcmp(head + starts[i].at, starts[i].bytes, starts[i].n)) {
-            *looks = starts[i].look.text;
-            return starts[i].look.kind;
-        }
+            !memcmp(head + starts[i].at, starts[i].bytes, starts[i].n))
+            return starts[i].look;
     int binary = memchr(head, 0, n) != NULL;
     if (binary && is_stl(path, head, n)) look = (struct look){SPH_FILE_STL, "an STL mesh"};
     if (!binary) look = by_words(head);
-    for (size_t i = 0; dot && !look.text && i < sizeof endings / sizeof *endings; i++)
-        if (!strcasecmp(dot + 1, endings[i].ending)) look = endings[i].look;
+    for (size_t i = 0; ending && !look.text && i < sizeof endings / sizeof *endings; i++)
+        if (length == strlen(endings[i].ending) && !strncasecmp(ending, endings[i].ending, length))
+            look = endings[i].look;
     /* NFF and AFF share their words */
-    if (dot && look.kind == SPH_FILE_NFF && !strcasecmp(dot + 1, "aff"))
+    if (ending && look.kind == SPH_FILE_NFF && length == 3 && !strncasecmp(ending, "aff", 3))
         look = (struct look){SPH_FILE_AFF, "an AFF scene"};
     if (!look.text) look.text = binary ? "binary, of no kind that is known here" : "a text";
+    return look;
+}
+
+enum sph_file_kind sph_file_kind(const char *path, const char **looks) {
+    char head[HEAD + 1] = "";
+    const char *none, *end = path + strlen(path);
+    FILE *file = sph_input_text(path, NULL);
+    size_t n = file ? fread(head, 1, HEAD, file) : 0;
+    int packed = file && sph_input_packed(path);
+    if (file) fclose(file);
+    if (packed && end - path > 3 && !strcasecmp(end - 3, ".gz")) end -= 3;
+    const char *ending = ending_of(path, (size_t)(end - path));
+    struct look look = look_at(path, head, n, ending, ending ? (size_t)(end - ending) : 0);
+    int text = look.kind == SPH_FILE_NFF || look.kind == SPH_FILE_AFF ||
+               look.kind == SPH_FILE_PDB || look.kind == SPH_FILE_CIF ||
+               look.kind == SPH_FILE_XYZ || look.kind == SPH_FILE_CSV;
+    if (packed && !text)
+        look = (struct look){SPH_FILE_OTHER, "a file packed by gzip: unpack it first"};
+    if (!looks) looks = &none;
     *looks = look.text;
     return look.kind;
 }

@@ -25,7 +25,7 @@ enum sph_file_kind {
 
 /* The kind of the file at path, of which no more than its first kilobytes are read. A file that
  * cannot be read is of the kind that its name says. *looks, unless NULL: what it looks like, in
- * words, such as "a Wavefront OBJ mesh". */
+ * words, such as "a Wavefront OBJ mesh". Of a text that gzip has packed, what is in it. */
 enum sph_file_kind sph_file_kind(const char *path, const char **looks);
 
 #endif

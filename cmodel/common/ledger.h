@@ -36,6 +36,10 @@ enum sph_read_end { SPH_USED, SPH_USED_OTHERWISE, SPH_LEFT_OUT, SPH_READ_ENDS };
     X(MESH, SPH_USED, "mesh")                                                                      \
     X(ATOM, SPH_USED, "atom")                                                                      \
     X(NO_ATOM, SPH_USED, "record of no atom")                                                      \
+    X(BONDS, SPH_USED, "record of bonds")                                                          \
+    X(BOND_GIVEN, SPH_USED, "bond, as the file gives it")                                          \
+    X(BOND_TOLD, SPH_USED, "bond, as its atoms' distance tells")                                   \
+    X(MACHINE, SPH_USED, "machine: registers and memory")                                          \
     X(IMAGE, SPH_USED, "image")                                                                    \
     X(CORNER, SPH_USED, "corner, normal or texture coordinate of a mesh (glTF: list of them)")     \
     X(PART, SPH_USED, "number or image of a mesh's material")                                      \
@@ -52,6 +56,8 @@ enum sph_read_end { SPH_USED, SPH_USED_OTHERWISE, SPH_LEFT_OUT, SPH_READ_ENDS };
     X(ALTERNATE, SPH_USED_OTHERWISE, "atom of several places: the likeliest one is used")          \
     X(ELEMENT, SPH_USED_OTHERWISE, "atom whose element is told by its name")                       \
     X(SHIFTED, SPH_USED_OTHERWISE, "atom record out of its columns, read by its words")            \
+    X(ROW_LONG, SPH_USED_OTHERWISE,                                                                \
+      "row of more values than its loop has names: those that are named are used")                 \
     X(FLAT, SPH_USED_OTHERWISE, "smoothing group of a mesh without normals: drawn flat")           \
     X(CORNER_COLOURS, SPH_USED_OTHERWISE, "face with colours at its corners: it has their mean")   \
     X(PART_MEAN, SPH_USED_OTHERWISE, "material with coloured highlights or glass: their mean")     \
@@ -77,6 +83,10 @@ enum sph_read_end { SPH_USED, SPH_USED_OTHERWISE, SPH_LEFT_OUT, SPH_READ_ENDS };
     X(NO_ELEMENT, SPH_LEFT_OUT, "atom that is none: lone pair, dummy, virtual site")               \
     X(UNKNOWN, SPH_LEFT_OUT, "atom of no known element or radius")                                 \
     X(MODEL, SPH_LEFT_OUT, "atom of a later model")                                                \
+    X(BOND_NONE, SPH_LEFT_OUT, "bond whose two atoms are not there, or at one place")              \
+    X(BOND_WEAK, SPH_LEFT_OUT,                                                                     \
+      "bond that is none of electrons shared: hydrogen bond, salt bridge")                         \
+    X(BOND_FAR, SPH_LEFT_OUT, "bond to an atom of another cell of the crystal")                    \
     X(LINE, SPH_LEFT_OUT, "line or point of a mesh")                                               \
     X(PROPERTY, SPH_LEFT_OUT, "property of a PLY file that nothing here corresponds to")           \
     X(PART_OTHER, SPH_LEFT_OUT, "part of a mesh's material that nothing here corresponds to")      \

@@ -4,10 +4,14 @@
 #include "common/parallel.h"
 
 #include <fenv.h>
+#include <limits.h>
 #include <pthread.h>
 #include <sched.h>
 #include <signal.h>
 #include <stdatomic.h>
+#include <stdlib.h>
+
+#include "common/number.h"
 
 enum { PARTS = 16 }; /* of a grain: what a thread takes at a time */
 
@@ -37,7 +41,12 @@ struct loop {
 
 int sph_processors(void) {
     cpu_set_t set;
+    uint64_t asked;
+    const char *threads = getenv("OMP_NUM_THREADS");
     int n = sched_getaffinity(0, sizeof set, &set) ? 0 : CPU_COUNT(&set);
+    if (threads && !sph_take_count(&threads, 1, INT_MAX, &asked) &&
+        (!*threads || *threads == ',') && (int)asked < n)
+        n = (int)asked;
     return n > 1 ? n : 1;
 }
 

@@ -13,7 +13,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Processors that this process may run on, at least 1. */
+/* Processors that this process may run on, at least 1, and no more than OMP_NUM_THREADS of the
+ * environment says (the first of its numbers; what is none is passed over). */
 int sph_processors(void);
 
 /* At most so many threads, the caller among them, share what this thread calls for from now on; 0:

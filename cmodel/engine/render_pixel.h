@@ -21,6 +21,7 @@ struct sph_render_options {
     int threads;                 /* 0: all */
     /* may be NULL; called under a lock; not 0: no more is drawn, sph_render() fails */
     int (*progress)(void *user, int rows_done, int rows);
+    const int *stop; /* may be NULL; the same once this is not 0, and sooner */
     void *user;
     void (*fetch)(void *user, const struct sph_texel *texel); /* may be NULL; every texel, as it is
                                                                 asked for: with one thread */

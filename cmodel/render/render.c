@@ -30,6 +30,11 @@ struct job {
     struct sph_counters *counters;
 };
 
+static int stopped(const struct job *j) {
+    return __atomic_load_n(&j->end, __ATOMIC_RELAXED) ||
+           (j->how.stop && __atomic_load_n(j->how.stop, __ATOMIC_RELAXED));
+}
+
 static int less(int a, int b) {
     return a < b ? a : b;
 }
@@ -38,11 +43,11 @@ static int less(int a, int b) {
 static void draw(const struct job *j, int x0, int y0, struct sph_counters *c, uint32_t *errors) {
     int x1 = less(x0 + j->width, j->m->regs[SPH_REG_WIN_X1]);
     int y1 = less(y0 + j->height, j->m->regs[SPH_REG_WIN_Y1]);
-    for (int x = x0; x < x1 && j->tiles; x += SPH_TILE)
+    for (int x = x0; x < x1 && j->tiles && !stopped(j); x += SPH_TILE)
         sph_fast_tile(j->m, &j->how, j->packets, x, y0, less(x + SPH_TILE, x1), y1, j->frame, c,
                       errors);
     for (int y = y0; y < y1 && !j->tiles; y++)
-        for (int x = x0; x < x1; x++) {
+        for (int x = x0; x < x1 && !stopped(j); x++) {
             size_t at = (size_t)y * (size_t)j->frame->width + (size_t)x;
             j->frame->pixels[at] =
                 j->draw(j->m, &j->how, x, y, c, errors, j->how.trails ? j->how.trails + at : NULL);
@@ -54,7 +59,7 @@ static void parts(void *user, uint32_t first, uint32_t end) {
     struct job *j = user;
     const int32_t *r = j->m->regs;
     int rows = r[SPH_REG_WIN_Y1] - r[SPH_REG_WIN_Y0];
-    for (int i = (int)first; i < (int)end && !__atomic_load_n(&j->end, __ATOMIC_RELAXED); i++) {
+    for (int i = (int)first; i < (int)end && !stopped(j); i++) {
         struct sph_counters mine = {{0}};
         uint32_t errors = 0;
         draw(j, r[SPH_REG_WIN_X0] + i % j->across * j->width,
@@ -120,6 +125,6 @@ int sph_render(const struct sph_machine *m, const struct sph_render_options *o,
     sph_parallel_most(before);
     sph_fast_free(fast);
     if (packets) forget_work(frame, counters);
-    if (job.end) return sph_fail(err, "%s: cancelled", m->name);
+    if (stopped(&job)) return sph_fail(err, "%s: cancelled", m->name);
     return (int)job.errors;
 }

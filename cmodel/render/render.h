@@ -9,7 +9,7 @@
 
 /* Renders the machine's window into *frame (allocated here at the full frame size; pixels outside
  * the window are zero) and adds up *counters. Returns the sticky error bits (1 << SPH_ERROR_*),
- * or -1 with a message if memory is out, or progress() ended it. */
+ * or -1 with a message if memory is out, or progress() or *stop ended it. */
 int sph_render(const struct sph_machine *machine, const struct sph_render_options *options,
                struct sph_frame *frame, struct sph_counters *counters, struct sph_error *err);
 

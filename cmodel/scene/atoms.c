@@ -4,11 +4,12 @@
 #include "scene/atoms.h"
 
 #include <ctype.h>
-#include <errno.h>
+#include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
+#include "common/packed.h"
 #include "scene/edit.h"
 
 int sph_lines_next(struct sph_lines *l, struct sph_error *err) {
@@ -26,22 +27,40 @@ int sph_lines_next(struct sph_lines *l, struct sph_error *err) {
     }
     if (c == '\r' && (c = getc(l->file)) != '\n' && c != EOF) ungetc(c, l->file);
     if (ferror(l->file))
-        return sph_fail(err, "%s:%u: cannot read: %s", l->path, l->line, strerror(errno));
+        return sph_fail(err, "%s:%u: cannot read: %s", l->path, l->line, sph_input_why());
     l->text[n] = 0;
     return n || c != EOF;
 }
 
+/* The list with room behind its n entries, of so many bytes each; NULL: no memory. */
+static void *with_room(void *list, uint32_t n, size_t size) {
+    return n & (n - 1) ? list : realloc(list, (n ? 2 * (size_t)n : 1) * size);
+}
+
 int sph_atoms_add(struct sph_atoms *atoms, const struct sph_atom *atom, const char *path,
                   struct sph_error *err) {
-    uint32_t n = atoms->n;
-    if (!(n & (n - 1))) {
-        struct sph_atom *room = realloc(atoms->list, (n ? 2 * (size_t)n : 1) * sizeof *room);
-        if (!room)
-            return sph_fail(err, "%s:%u: no memory for more than %u atoms", path, atom->line, n);
-        atoms->list = room;
-    }
+    struct sph_atom *room = with_room(atoms->list, atoms->n, sizeof *room);
+    if (!room)
+        return sph_fail(err, "%s:%u: no memory for more than %u atoms", path, atom->line, atoms->n);
+    atoms->list = room;
     atoms->list[atoms->n++] = *atom;
     return 0;
+}
+
+int sph_atoms_bond(struct sph_atoms *atoms, const struct sph_bond *bond, const char *path,
+                   struct sph_error *err) {
+    struct sph_bond *room = with_room(atoms->bonds, atoms->n_bonds, sizeof *room);
+    if (!room)
+        return sph_fail(err, "%s:%u: no memory for more than %u bonds", path, bond->line,
+                        atoms->n_bonds);
+    atoms->bonds = room;
+    atoms->bonds[atoms->n_bonds++] = *bond;
+    return 0;
+}
+
+void sph_atoms_free(struct sph_atoms *atoms) {
+    free(atoms->list);
+    free(atoms->bonds);
 }
 
 /* Whether a word is one of a list of words between blanks. */
@@ -168,43 +187,70 @@ static enum sph_read end_of(const struct sph_elements *elements, const struct sp
     return is == CHOSEN ? SPH_READ_ALTERNATE : told ? SPH_READ_ATOM : SPH_READ_ELEMENT;
 }
 
-/* The material of the element; makes it on first use. -1 with a message. */
-static int material_of(struct sph_scene *scene, const struct sph_element *e, int *material,
-                       struct sph_error *err) {
-    if (*material >= 0) return *material;
-    struct sph_material m = {{e->rgb[0], e->rgb[1], e->rgb[2]}, 0.85, 0.15, 30, 0, 1, 0, {0}, 0};
-    if (sph_scene_add_material(scene, &m, err)) return -1;
-    return *material = (int)scene->n_materials - 1;
-}
+enum { BALL_PART = 4 }; /* of the radius that atoms have, where bonds are drawn */
 
-static int put(const struct sph_atoms *atoms, const struct sph_elements *elements, int keep_water,
-               const uint8_t *is, struct sph_scene *scene, struct sph_error *err) {
-    int material[SPH_MAX_ELEMENTS], left = 1;
-    for (int i = 0; i < SPH_MAX_ELEMENTS; i++)
-        material[i] = -1;
+static int put(const struct sph_atoms *atoms, const struct sph_elements *elements,
+               const struct sph_import_options *o, const uint8_t *is, struct sph_placed *placed,
+               uint32_t *n, struct sph_scene *scene, struct sph_error *err) {
+    struct sph_atom_colours colours = {.by = o->colour};
+    int left = 1, bad = 0;
     for (uint32_t i = 0; i < atoms->n; i++)
         left = left && atoms->list[i].columns[0] != ' ';
-    for (uint32_t i = 0; i < atoms->n; i++) {
+    for (uint32_t i = 0; i < atoms->n && !bad; i++) {
         const struct sph_atom *a = &atoms->list[i];
-        int element = -1;
-        enum sph_read end = end_of(elements, a, is[i], keep_water, left, &element);
-        if (sph_ledger_note(&scene->ledger, end, scene->path, a->line, err)) return -1;
-        if (sph_read_end(end) == SPH_LEFT_OUT) continue;
-        const struct sph_element *e = &elements->list[element];
-        if (material_of(scene, e, &material[element], err) < 0 ||
-            sph_scene_add_sphere(scene, sph_vec_of(a->at[0], a->at[1], a->at[2]), e->rad,
-                                 (uint32_t)material[element], a->line, err))
-            return -1;
+        struct sph_placed p = {.atom = i, .element = -1};
+        enum sph_read end = end_of(elements, a, is[i], o->keep_water, left, &p.element);
+        bad = sph_ledger_note(&scene->ledger, end, scene->path, a->line, err);
+        if (bad || sph_read_end(end) == SPH_LEFT_OUT) continue;
+        const struct sph_element *e = &elements->list[p.element];
+        bad =
+            sph_atom_material(&colours, a, e, p.element, scene, &p.material, err) ||
+            sph_scene_add_sphere(scene, sph_vec_of(a->at[0], a->at[1], a->at[2]),
+                                 o->sticks ? e->rad / BALL_PART : e->rad, p.material, a->line, err);
+        placed[(*n)++] = p;
     }
-    return 0;
+    sph_atom_colours_free(&colours);
+    return bad;
+}
+
+/* No sphere came of the file: what became of its atoms. */
+static int fail_empty(const struct sph_scene *scene, struct sph_error *err) {
+    const struct sph_ledger_row *row = scene->ledger.row;
+    return sph_fail(err,
+                    "%s: no atoms other than %" PRIu64 " of water (kept by --water), %" PRIu64
+                    " of no known element and %" PRIu64 " that are none",
+                    scene->path, row[SPH_READ_WATER].n, row[SPH_READ_UNKNOWN].n,
+                    row[SPH_READ_NO_ELEMENT].n);
+}
+
+/* Takes those whose sphere was dropped off the list: no two spheres have one centre any more. */
+static void keep_placed(const struct sph_atoms *atoms, const struct sph_scene *scene,
+                        struct sph_placed *placed, uint32_t *n) {
+    uint32_t kept = 0;
+    for (uint32_t i = 0; i < *n && kept < scene->n_spheres; i++) {
+        const double *at = atoms->list[placed[i].atom].at;
+        const struct sph_vec ctr = scene->spheres[kept].ctr;
+        if (at[0] == ctr.x && at[1] == ctr.y && at[2] == ctr.z) placed[kept++] = placed[i];
+    }
+    *n = kept;
 }
 
 int sph_atoms_put(const struct sph_atoms *atoms, const struct sph_elements *elements,
-                  int keep_water, struct sph_scene *scene, struct sph_error *err) {
+                  const struct sph_import_options *options, struct sph_scene *scene,
+                  struct sph_error *err) {
     uint8_t *is = calloc((size_t)atoms->n + 1, 1);
-    int rc = !is || choose_places(atoms, is)
+    struct sph_placed *placed = malloc(((size_t)atoms->n + 1) * sizeof *placed);
+    uint32_t n = 0;
+    int rc = !is || !placed || choose_places(atoms, is)
                  ? sph_fail(err, "%s: no memory for %u atoms", scene->path, atoms->n)
-                 : put(atoms, elements, keep_water, is, scene, err);
+                 : put(atoms, elements, options, is, placed, &n, scene, err);
+    if (!rc && !scene->n_spheres) rc = fail_empty(scene, err);
+    if (!rc) rc = sph_scene_drop_twice(scene, SPH_READ_SAME_PLACE, err);
+    if (!rc && options->sticks) {
+        keep_placed(atoms, scene, placed, &n);
+        rc = sph_bonds_put(atoms, elements, placed, n, options->round, scene, err);
+    }
+    free(placed);
     free(is);
     return rc;
 }

@@ -6,6 +6,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "scene/vector.h"
 #include "scene/window.h"
@@ -99,8 +100,21 @@ void sph_scene_set_path(struct sph_scene *scene, const char *path) {
     snprintf(scene->path, sizeof scene->path, "%s", path);
     const char *slash = strrchr(path, '/');
     snprintf(scene->name, sizeof scene->name, "%s", slash ? slash + 1 : path);
-    char *dot = strrchr(scene->name, '.');
-    if (dot && dot != scene->name) *dot = 0;
+    for (int endings = 1; endings > 0; endings--) { /* two of a packed file: x.pdb.gz */
+        char *dot = strrchr(scene->name, '.');
+        if (!dot || dot == scene->name) return;
+        if (!strcasecmp(dot, ".gz")) endings++;
+        *dot = 0;
+    }
+}
+
+void sph_scene_count(const struct sph_scene *scene, uint32_t *facets, uint32_t *cones) {
+    *facets = *cones = 0;
+    for (uint32_t i = 0; i < scene->n_facets; i++) {
+        uint32_t of = scene->facets[i].frustum;
+        *facets += !of;
+        *cones += of && (!i || scene->facets[i - 1].frustum != of);
+    }
 }
 
 void sph_scene_free(struct sph_scene *scene) {

@@ -37,7 +37,8 @@ int sph_scene_add_texture(struct sph_scene *scene, const struct sph_texture *tex
 int sph_scene_add_light(struct sph_scene *scene, struct sph_vec pos, double red, double green,
                         double blue, struct sph_error *err);
 
-/* Stores path in the scene (cut to fit), and its last part without the ending as the name. */
+/* Stores path in the scene (cut to fit), and its last part without the ending as the name, of a
+ * packed file without both. */
 void sph_scene_set_path(struct sph_scene *scene, const char *path);
 
 /* Is the camera usable: eye and target apart, up not parallel to the view, angle within

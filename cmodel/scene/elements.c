@@ -2,8 +2,10 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * What is used of the file:
- *   <atom id="C"> <scalar dictRef="bo:radiusVDW">1.7</scalar>
- *                 <array dictRef="bo:elementColor">0.50 0.50 0.50</array> </atom>
+ *   <atom id="C"> <scalar dictRef="bo:radiusCovalent">0.77</scalar>
+ *                 <scalar dictRef="bo:radiusVDW">1.7</scalar>
+ *                 <array dictRef="bo:elementColor">0.50 0.50 0.50</array>
+ *                 <scalar dictRef="bo:family">Non-Metal</scalar> </atom>
  */
 #include "scene/elements.h"
 #include "common/file.h"
@@ -20,7 +22,7 @@ struct parse {
     struct sph_elements *elements;
     struct sph_error *err;
     int in_atom;
-    enum { NOTHING, RADIUS, COLOUR } field;
+    enum { NOTHING, RADIUS, COVALENT, COLOUR, FAMILY } field;
     char text[64]; /* of the field */
     size_t n_text;
 };
@@ -48,10 +50,12 @@ static void on_start(void *data, const char *name, const char **attributes) {
         p->in_atom = 1;
     }
     p->n_text = 0;
-    p->field = !p->in_atom                       ? NOTHING
-               : !strcmp(ref, "bo:radiusVDW")    ? RADIUS
-               : !strcmp(ref, "bo:elementColor") ? COLOUR
-                                                 : NOTHING;
+    p->field = !p->in_atom                         ? NOTHING
+               : !strcmp(ref, "bo:radiusVDW")      ? RADIUS
+               : !strcmp(ref, "bo:radiusCovalent") ? COVALENT
+               : !strcmp(ref, "bo:elementColor")   ? COLOUR
+               : !strcmp(ref, "bo:family")         ? FAMILY
+                                                   : NOTHING;
 }
 
 static void on_text(void *data, const char *text, int n) {
@@ -66,24 +70,39 @@ static void on_text(void *data, const char *text, int n) {
 static int numbers(struct parse *p, double value[3]) {
     int n = 0;
     char *rest = p->text;
-    p->text[p->n_text] = 0;
     for (char *word; n < 3 && (word = strtok_r(rest, " \t\r\n", &rest)) != NULL; n++)
         if (sph_parse_number(word, &value[n])) return n;
     return n;
 }
 
+/* Whether a family of elements bonds by sharing electrons. */
+static int shares(const char *family) {
+    return !strcmp(family, "Non-Metal") || !strcmp(family, "Halogen") ||
+           !strcmp(family, "Metalloids");
+}
+
+static void take_field(struct parse *p, struct sph_element *e) {
+    double value[3] = {0};
+    int n = numbers(p, value);
+    if (n != (p->field == COLOUR ? 3 : 1))
+        stop(p, "not a radius or colour");
+    else if (p->field == RADIUS)
+        e->rad = value[0];
+    else if (p->field == COVALENT)
+        e->covalent = value[0];
+    else
+        memcpy(e->rgb, value, sizeof e->rgb);
+}
+
 static void on_end(void *data, const char *name) {
     struct parse *p = data;
-    double value[3] = {0};
     if (p->field != NOTHING) {
         struct sph_element *e = &p->elements->list[p->elements->n - 1];
-        int n = numbers(p, value);
-        if (n != (p->field == RADIUS ? 1 : 3))
-            stop(p, "not a radius or colour");
-        else if (p->field == RADIUS)
-            e->rad = value[0];
+        p->text[p->n_text] = 0;
+        if (p->field == FAMILY)
+            e->shares = shares(p->text);
         else
-            memcpy(e->rgb, value, sizeof e->rgb);
+            take_field(p, e);
     }
     p->field = NOTHING;
     if (!strcmp(name, "atom")) p->in_atom = 0;

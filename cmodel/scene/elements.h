@@ -9,9 +9,11 @@
 #define SPH_MAX_ELEMENTS 128
 
 struct sph_element {
-    char symbol[4]; /* "C", "Zn" */
-    double rad;     /* van der Waals radius, Angstrom; 0: not known */
-    double rgb[3];  /* 0..1 */
+    char symbol[4];  /* "C", "Zn" */
+    double rad;      /* van der Waals radius, Angstrom; 0: not known */
+    double covalent; /* radius, Angstrom; 0: not known */
+    int shares;      /* non-metals: bonds are told by covalent radii */
+    double rgb[3];   /* 0..1 */
 };
 
 struct sph_elements {

@@ -3,11 +3,9 @@
  */
 #include "scene/import.h"
 
-#include <inttypes.h>
-#include <stdlib.h>
 #include <string.h>
 
-#include "common/file.h"
+#include "common/packed.h"
 #include "scene/edit.h"
 #include "scene/mesh.h"
 #include "scene/pdb_frame.h"
@@ -24,16 +22,6 @@ int sph_importable(enum sph_file_kind kind) {
            kind == SPH_FILE_CSV;
 }
 
-/* No sphere came of the file: what became of its atoms. */
-static int fail_empty(const struct sph_scene *scene, struct sph_error *err) {
-    const struct sph_ledger_row *row = scene->ledger.row;
-    return sph_fail(err,
-                    "%s: no atoms other than %" PRIu64 " of water (kept by --water), %" PRIu64
-                    " of no known element and %" PRIu64 " that are none",
-                    scene->path, row[SPH_READ_WATER].n, row[SPH_READ_UNKNOWN].n,
-                    row[SPH_READ_NO_ELEMENT].n);
-}
-
 static int read_atoms(FILE *file, enum sph_file_kind kind, const struct sph_import_options *o,
                       struct sph_scene *scene, struct sph_error *err) {
     struct sph_elements elements;
@@ -44,11 +32,9 @@ static int read_atoms(FILE *file, enum sph_file_kind kind, const struct sph_impo
                                : sph_pdb_read;
     int bad = sph_elements_read(o->elements_path ? o->elements_path : SPH_ELEMENTS_PATH, &elements,
                                 err) ||
-              read(file, &atoms, scene, err) ||
-              sph_atoms_put(&atoms, &elements, o->keep_water, scene, err);
-    free(atoms.list);
-    if (!bad && !scene->n_spheres) bad = fail_empty(scene, err);
-    return bad ? -1 : sph_scene_drop_twice(scene, SPH_READ_SAME_PLACE, err);
+              read(file, &atoms, scene, err) || sph_atoms_put(&atoms, &elements, o, scene, err);
+    sph_atoms_free(&atoms);
+    return bad ? -1 : 0;
 }
 
 int sph_import(const char *path, enum sph_file_kind kind, const struct sph_import_options *options,
@@ -60,7 +46,7 @@ int sph_import(const char *path, enum sph_file_kind kind, const struct sph_impor
     sph_scene_set_path(scene, path);
     scene->camera.width = o.width || o.height ? o.width : 320;
     scene->camera.height = o.width || o.height ? o.height : 180;
-    FILE *file = sph_input_open(path, SPH_INPUT_ANY, err);
+    FILE *file = sph_input_text(path, err);
     if (!file) return -1;
     int mesh = is_mesh(kind);
     if (!mesh && o.camera) {

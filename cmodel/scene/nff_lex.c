@@ -10,7 +10,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#include "common/file.h"
+#include "common/packed.h"
 
 void sph_lex_begin(struct sph_lex *lex, FILE *file, const char *path) {
     struct stat st;
@@ -28,7 +28,7 @@ void sph_lex_begin(struct sph_lex *lex, FILE *file, const char *path) {
 }
 
 int sph_lex_open(struct sph_lex *lex, const char *path, struct sph_error *err) {
-    FILE *file = sph_input_open(path, SPH_INPUT_ANY, err);
+    FILE *file = sph_input_text(path, err);
     if (!file) return -1;
     sph_lex_begin(lex, file, path);
     return 0;
@@ -89,7 +89,7 @@ static int skip_blanks(struct sph_lex *lex, struct sph_error *err) {
         lex->pos++;
     }
     if (ferror(lex->file))
-        return sph_fail(err, "%s:%u: cannot read: %s", lex->path, lex->line, strerror(errno)) * 2;
+        return sph_fail(err, "%s:%u: cannot read: %s", lex->path, lex->line, sph_input_why()) * 2;
     return -1;
 }
 

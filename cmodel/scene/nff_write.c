@@ -16,7 +16,10 @@ static void put_scene(const struct sph_scene *scene, FILE *file) {
     for (const char *c = scene->name; *c; c++)
         putc((unsigned char)*c < 32 || *c == 127 ? '?' : *c, file);
     fprintf(file, "; spheres: %u, lights: %d", scene->n_spheres, scene->n_lights);
-    if (scene->n_facets) fprintf(file, ", facets: %u", scene->n_facets);
+    uint32_t facets, cones;
+    sph_scene_count(scene, &facets, &cones);
+    if (facets) fprintf(file, ", facets: %u", facets);
+    if (cones) fprintf(file, ", cones: %u", cones);
     putc('\n', file);
     fputs("v\n", file);
     struct sph_nff_writer w = {.scene = scene, .file = file, .material = UINT32_MAX, .shading = -1};

@@ -2,10 +2,11 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * Columns of an ATOM or HETATM record, from 1 (PDB format 3.30, section 9):
- *   13-16 atom name   17 alternate location   18-21 residue (CHARMM has four letters)
- *   22-27 chain, number, insertion code   31-38, 39-46, 47-54 x, y, z   55-60 occupancy
- *   77-78 element, right-justified   79-80 charge
- * Serial numbers are not read: they may be hybrid-36, or seven digits without a blank before them.
+ *   7-11 serial number   13-16 atom name   17 alternate location   18-21 residue (CHARMM has four
+ *   letters)   22-27 chain, number, insertion code   31-38, 39-46, 47-54 x, y, z   55-60 occupancy
+ *   73-76 segment   77-78 element, right-justified   79-80 charge
+ * and of a CONECT record 7-11, 12-16, ... 27-31: an atom, and those that it is bonded to. Serial
+ * numbers are words, not numbers: they may be hybrid-36, or seven digits without a blank before.
  * Files of before 1996 number their lines in columns 73-80 instead: an element counts only if
  * columns 79-80 are blank or a charge. Writers that have too little room for a number shift all
  * behind it: the points of the coordinates tell how far.
@@ -74,6 +75,9 @@ static int take_atom(const struct sph_lines *lines, struct sph_atoms *atoms,
     a.place = line[16 + by];
     column(line, 18 + by, 21 + by, a.residue);
     column(line, 22 + by, 27 + by, a.group);
+    column(line, 7, 11 + by, a.serial);
+    a.chain[0] = line[21 + by];
+    if (a.chain[0] == ' ') column(line, 73 + by, 76 + by, a.chain);
     for (int i = 0; i < 3; i++) {
         column(line, 31 + 8 * i + by, 38 + 8 * i + by, text);
         if (sph_parse_number(text, &a.at[i]) || strpbrk(text, "eE")) /* 8.3 digits */
@@ -95,6 +99,45 @@ static int is_record(const char *line, const char *word) {
            (line[n] == ' ' || isdigit((unsigned char)line[n]) || (n == 6 && line[n]));
 }
 
+/* The words of a CONECT record: five columns each, or between blanks where one has more. How many,
+ * and no more than there are bonds of shared electrons. */
+enum { CONECT_MOST = 5 };
+static int conect_words(const char *line, char words[CONECT_MOST][12]) {
+    int n = 0, wide = 0;
+    for (int i = 0; i < CONECT_MOST; i++) {
+        column(line, 7 + 5 * i, 11 + 5 * i, words[i]);
+        wide |= strchr(words[i], ' ') != NULL;
+        if (words[i][0]) n = i + 1;
+    }
+    const char *at = line + 6;
+    for (n = wide ? 0 : n; wide && n < CONECT_MOST; n++) {
+        at += strspn(at, " ");
+        size_t length = strcspn(at, " ");
+        if (!length) break;
+        snprintf(words[n], sizeof words[n], "%.*s", (int)length, at);
+        at += length;
+    }
+    return n;
+}
+
+static int take_bonds(const struct sph_lines *lines, struct sph_atoms *atoms,
+                      struct sph_scene *scene, struct sph_error *err) {
+    enum { LAST = 31, WEAK_LAST = 61 }; /* hydrogen bonds and salt bridges, before 2007 */
+    char words[CONECT_MOST][12], weak[WEAK_LAST - LAST + 1];
+    int n = conect_words(lines->text, words);
+    column(lines->text, LAST + 1, WEAK_LAST, weak);
+    if (weak[0] &&
+        sph_ledger_note(&scene->ledger, SPH_READ_BOND_WEAK, lines->path, lines->line, err))
+        return -1;
+    for (int i = 1; i < n; i++) {
+        struct sph_bond bond = {.of = SPH_BOND_SERIALS, .line = lines->line};
+        memcpy(bond.atom[0], words[0], sizeof bond.atom[0]);
+        memcpy(bond.atom[1], words[i], sizeof bond.atom[1]);
+        if (words[i][0] && sph_atoms_bond(atoms, &bond, lines->path, err)) return -1;
+    }
+    return sph_ledger_note(&scene->ledger, SPH_READ_BONDS, lines->path, lines->line, err);
+}
+
 /* Whether a line ends the first model: ENDMDL, or END and blanks. */
 static int is_end(const char *line) {
     return !strncmp(line, "ENDMDL", 6) ||
@@ -110,6 +153,8 @@ int sph_pdb_read(FILE *file, struct sph_atoms *atoms, struct sph_scene *scene,
         ended |= is_end(lines.text) && atoms->n;
         if (atom && !ended)
             bad = take_atom(&lines, atoms, scene, err);
+        else if (is_record(lines.text, "CONECT"))
+            bad = take_bonds(&lines, atoms, scene, err);
         else
             bad = sph_ledger_note(&scene->ledger, atom ? SPH_READ_MODEL : SPH_READ_NO_ATOM,
                                   scene->path, lines.line, err);

@@ -39,6 +39,7 @@ int sph_xyz_read(FILE *file, struct sph_atoms *atoms, struct sph_scene *scene,
     char *rest = l.text;
     if (take_number(&l, &rest, "the number of atoms", &n, err) || sph_lines_next(&l, err) < 0)
         return -1;
+    if (sph_ledger_add(&scene->ledger, SPH_READ_NO_ATOM, 2, l.path, 1, 0, err)) return -1;
     while (atoms->n < n) {
         struct sph_atom a = {.place = ' '};
         int got = sph_lines_next(&l, err);
@@ -86,6 +87,7 @@ int sph_csv_read(FILE *file, double radius, struct sph_scene *scene, struct sph_
     struct sph_material m = {{0.8, 0.8, 0.8}, 0.85, 0.15, 30, 0, 1, 0, {0}, 0};
     int column[MOST], n = 0, got = sph_lines_next(&l, err);
     if (got < 0 || take_names(&l, l.text, column, &n, err) ||
+        sph_ledger_note(&scene->ledger, SPH_READ_WORD, l.path, l.line, err) ||
         sph_scene_add_material(scene, &m, err))
         return -1;
     while ((got = sph_lines_next(&l, err)) > 0) {

@@ -5,7 +5,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "common/file.h"
+#include "common/packed.h"
 #include "scene/aff.h"
 #include "scene/import.h"
 #include "scene/nff_reader.h"
@@ -25,7 +25,7 @@ int sph_scene_read(const char *text, const struct sph_read_options *options,
     char path[SPH_SCENE_FILE];
     const char *looks, *section = sph_scene_section(text, path);
     memset(scene, 0, sizeof *scene);
-    FILE *file = sph_input_open(path, SPH_INPUT_ANY, err);
+    FILE *file = sph_input_text(path, err);
     if (!file) return -1;
     enum sph_file_kind kind = sph_aff_is(path) ? SPH_FILE_AFF : sph_file_kind(path, &looks);
     if (options && options->camera && !sph_importable(kind)) {

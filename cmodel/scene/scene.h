@@ -177,6 +177,9 @@ int sph_scene_parse(const char *text, size_t length, const char *path,
 /* Writes the scene as NFF (round trip: every double survives). 0, or -1 with a message. */
 int sph_scene_write(const struct sph_scene *scene, FILE *file, struct sph_error *err);
 
+/* Triangles and planes that are of no cone, and cones: what is written. */
+void sph_scene_count(const struct sph_scene *scene, uint32_t *facets, uint32_t *cones);
+
 void sph_scene_free(struct sph_scene *scene);
 
 #endif

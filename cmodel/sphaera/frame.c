@@ -28,6 +28,7 @@ static int render(const sphaera_machine *machine, const sphaera_render_options *
     if (options.traverse < 0 || sph_api_whole("threads", o->threads, 0, SPH_API_THREADS, err))
         return -1;
     if (o->progress) options.progress = sph_api_show, options.user = &told;
+    options.stop = o->stop;
     options.trails = made->trails = calloc(n, sizeof *made->trails);
     if (!made->trails) return sph_fail(err, "no memory for a frame");
     int bits = sph_render(m, &options, &made->frame, &made->counters, err);

@@ -106,6 +106,7 @@ int sphaera_machine_read(const char *path, sphaera_machine **machine, sphaera_er
         return sph_api_failed(&err, error);
     }
     sph_machine_core(&made->machine, made->core, sizeof made->core);
+    sph_machine_note(&made->machine, path, &made->ledger);
     *machine = made;
     return 0;
 }

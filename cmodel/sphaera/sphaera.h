@@ -205,7 +205,8 @@ SPHAERA_API const char *sphaera_machine_warning(const sphaera_machine *machine);
  * 57600 pixels, ..."; empty if a profile was asked for, or if it was read from a file. */
 SPHAERA_API const char *sphaera_machine_why(const sphaera_machine *machine);
 
-/* The same of a machine that was built: its scene's, and what the grid left out or limited. */
+/* The same of a machine: its scene's, and what the grid left out or limited; or what its file has,
+ * if it was read from one. */
 SPHAERA_API int sphaera_machine_record(const sphaera_machine *machine, int number,
                                        sphaera_record *record);
 
@@ -259,6 +260,8 @@ typedef struct sphaera_render_options {
                                   "packets": faster, without visits and counters of the tree */
     sphaera_progress progress; /* of rows; NULL: nobody is told */
     void *user;
+    const int *stop; /* NULL; or what another thread or a handler of signals makes other than 0:
+                        that cancels the call too, within the time of some pixels */
 } sphaera_render_options;
 SPHAERA_API void sphaera_render_init(sphaera_render_options *options);
 SPHAERA_API int sphaera_render_with(const sphaera_machine *machine,
@@ -322,6 +325,14 @@ SPHAERA_API void sphaera_picture_init(sphaera_picture_options *options);
 SPHAERA_API int sphaera_frame_write_with(const sphaera_frame *frame, const char *path,
                                          const sphaera_picture_options *options,
                                          sphaera_error *error);
+
+/* A frame as bytes, all of it but its machine, for another process of the same version on the same
+ * kind of computer: how many, and they themselves, into an array of the caller; and a frame of
+ * them, of the machine that it was drawn of: -1 if they are no such bytes, or damaged. */
+SPHAERA_API size_t sphaera_frame_size(const sphaera_frame *frame);
+SPHAERA_API void sphaera_frame_pack(const sphaera_frame *frame, uint8_t *bytes);
+SPHAERA_API int sphaera_frame_unpack(const sphaera_machine *machine, const uint8_t *bytes,
+                                     size_t size, sphaera_frame **frame, sphaera_error *error);
 
 /* Counters, by number or by name such as "node_visits" (docs/reference/core.md): their names, NULL
  * behind the last; their values, 0 where the hardware alone counts; -1 if the name is none; 1 if

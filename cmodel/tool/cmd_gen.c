@@ -44,6 +44,8 @@ enum {
     KEY_SKIP,
     KEY_ROUND,
     KEY_STRICT,
+    KEY_STYLE,
+    KEY_COLOR,
     KEY_CAMERA,
     KEY_UP
 };
@@ -75,6 +77,9 @@ static const struct argp_option import_options[] = {
      1},
     {"up", KEY_UP, "x|y|z", 0, "of meshes without a camera: the axis that is up (y, of STL z)", 1},
     {"water", KEY_WATER, NULL, 0, "keep water molecules", 1},
+    {"style", KEY_STYLE, "STYLE", 0,
+     "of atoms: spacefill (default), or ball-and-stick, with a cylinder for every bond", 1},
+    {"color", KEY_COLOR, "BY", 0, "of atoms: by element (default), residue or chain", 1},
     {"elements", KEY_ELEMENTS, "FILE", 0, "radii and colours (" SPH_ELEMENTS_PATH ")", 1},
     {"skip-unsupported", KEY_SKIP, NULL, 0,
      "leave out what is not supported, and materials and images of a mesh that are not there", 0},
@@ -150,6 +155,10 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
 
 /* Options of import: those of AFF, and the others. */
 static error_t parse_import(int key, char *arg, struct argp_state *state) {
+    static const char *const styles[] = {"spacefill", "ball-and-stick", NULL}, *const colours[] = {
+                                                                                   "element",
+                                                                                   "residue",
+                                                                                   "chain", NULL};
     struct arguments *a = state->input;
     switch (key) {
     case KEY_STRICT:
@@ -158,6 +167,14 @@ static error_t parse_import(int key, char *arg, struct argp_state *state) {
     case KEY_RADIUS:
         a->import.radius = real(state, "--radius", arg);
         a->import_option = "radius";
+        return 0;
+    case KEY_STYLE:
+        a->import.sticks = tool_choice(state, "--style", arg, styles);
+        a->import_option = "style";
+        return 0;
+    case KEY_COLOR:
+        a->import.colour = (enum sph_atom_colour)tool_choice(state, "--color", arg, colours);
+        a->import_option = "color";
         return 0;
     case KEY_CAMERA:
         a->import.camera = arg;
@@ -253,17 +270,19 @@ int tool_import(int argc, char **argv) {
         import_options,
         parse_import,
         "FILE",
-        "Makes a scene of a molecule, a sphere for every atom (PDB, mmCIF, XYZ); of a table of "
-        "points (CSV: columns x, y, z and r); of a mesh (OBJ, PLY, STL, glTF, GLB); or of an AFF "
-        "scene as it stands at a frame or a time.",
+        "Makes a scene of a molecule (PDB, mmCIF, XYZ); of a table of points (CSV: columns x, y, z "
+        "and r); of a mesh (OBJ, PLY, STL, glTF, GLB); or of an AFF scene as it stands at a frame "
+        "or "
+        "a time. Texts but meshes may be packed by gzip.",
         NULL,
         NULL,
         NULL};
-    struct arguments a = {0};
+    /* sticks are written as cones: what triangles of these are made is asked later */
+    struct arguments a = {.import = {.round = SPH_FRUSTUM_ROUND_MAX}};
     struct sph_scene scene;
     struct sph_error err = {""};
-    tool_parse(&argp, argc, argv, 0, &a);
     const char *looks;
+    tool_parse(&argp, argc, argv, 0, &a);
     int aff = sph_aff_is(a.what);
     const char *wrong = aff ? a.import_option : a.aff_option;
     if (wrong) {

@@ -18,16 +18,17 @@
 struct arguments {
     const char *input, *json;
     int pixel[2]; /* x, y; -1: none asked for */
-    int stages;
+    int stages, strict;
     struct tool_outputs outputs;
 };
 
-enum { KEY_JSON = 512, KEY_PIXEL, KEY_STAGES };
+enum { KEY_JSON = 512, KEY_PIXEL, KEY_STAGES, KEY_STRICT };
 
 static const struct argp_option options[] = {
     {"pixel", KEY_PIXEL, "X,Y", 0, "the rays of this pixel as a tree, with what each finds", 0},
     {"stages", KEY_STAGES, NULL, 0,
      "... and each stage of each of these rays, with its numbers bit for bit", 0},
+    {"strict", KEY_STRICT, NULL, 0, "what is not used as it stands is an error", 0},
     {"json", KEY_JSON, "FILE", 0, "report as JSON (- : on standard output instead of text)", 0},
     {0},
 };
@@ -45,6 +46,9 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
             sph_parse_count(at, 0, SPH_MAX_SIDE - 1, &y))
             argp_error(state, "--pixel: '%s' is no pixel such as 21,9", arg);
         a->pixel[0] = (int)x, a->pixel[1] = (int)y;
+        return 0;
+    case KEY_STRICT:
+        a->strict = 1;
         return 0;
     case KEY_STAGES:
         a->stages = 1;
@@ -78,7 +82,8 @@ static int read_other(const struct arguments *a, enum sph_file_kind kind, struct
                                err);
     }
     struct sph_scene scene;
-    if (sph_scene_read(a->input, NULL, &scene, err)) return -1;
+    const struct sph_read_options how = {.strict = a->strict};
+    if (sph_scene_read(a->input, &how, &scene, err)) return -1;
     struct sph_mip *mips = NULL;
     *ledger = scene.ledger;
     int rc =
@@ -150,7 +155,12 @@ int tool_info(int argc, char **argv) {
         return tool_failed(&err);
     }
     FILE *to = print_stream(a.json);
-    if (to) sph_machine_describe(&machine, to);
+    struct sph_ledger ledger = {0};
+    sph_machine_note(&machine, a.input, &ledger);
+    if (to) {
+        sph_machine_describe(&machine, to);
+        sph_ledger_print(&ledger, SPH_USED, "", to);
+    }
     struct sph_bih_stats stats;
     if (sph_machine_bih(&machine))
         sph_bih_measure(&machine, &stats), print_bih(to, &machine, &stats);
@@ -159,6 +169,7 @@ int tool_info(int argc, char **argv) {
     json_t *report = report_new("info");
     report_text(report, "input", a.input);
     report_machine(report, &machine);
+    report_ledger(report, &ledger);
     if (sph_machine_bih(&machine)) report_bih(report, &machine, &stats);
     if (a.pixel[0] >= 0) report_rays(report, &log);
     if (a.stages) report_stages(report, &machine, &stages);

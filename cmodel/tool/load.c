@@ -140,7 +140,10 @@ int tool_write_scene(const char *output, struct sph_scene *scene, struct sph_err
     }
     if (!rc && strcmp(path, "-")) {
         printf("%s: %u spheres, ", path, scene->n_spheres);
-        if (scene->n_facets) printf("%u facets, ", scene->n_facets);
+        uint32_t facets, cones;
+        sph_scene_count(scene, &facets, &cones);
+        if (facets) printf("%u facets, ", facets);
+        if (cones) printf("%u cones, ", cones);
         printf("%d lights, %u materials\n", scene->n_lights, scene->n_materials);
     }
     sph_scene_free(scene);

@@ -53,6 +53,17 @@ void sph_machine_describe_tree(const struct sph_machine *m, FILE *file) {
     fprintf(file, "  (level of the node: primitives)\n");
 }
 
+void sph_machine_note(const struct sph_machine *m, const char *path, struct sph_ledger *ledger) {
+    static const enum sph_read prims[SPH_KINDS] = {[SPH_SPHERE] = SPH_READ_SPHERE,
+                                                   [SPH_TRIANGLE] = SPH_READ_TRIANGLE,
+                                                   [SPH_PLANE] = SPH_READ_PLANE};
+    struct sph_counts n = sph_machine_count(m);
+    sph_ledger_add(ledger, SPH_READ_MACHINE, 1, path, 0, 0, NULL);
+    sph_ledger_add(ledger, SPH_READ_LIGHT, (uint64_t)m->regs[SPH_REG_N_LIGHTS], path, 0, 0, NULL);
+    for (int kind = 0; kind < SPH_KINDS; kind++)
+        sph_ledger_add(ledger, prims[kind], n.of[kind], path, 0, 0, NULL);
+}
+
 static void describe_bih(const struct sph_machine *m, FILE *file) {
     struct sph_bih_stats s;
     struct sph_counts n = sph_machine_count(m);

@@ -43,7 +43,7 @@ def own(build, suite, sanitized=False):
 def libraries(found=[]):    # pylint: disable=dangerous-default-value
     if not found:
         found += subprocess.run(
-            ["pkg-config", "--libs", "cmocka", "expat", "gmp", "jansson", "libpng", "mpfr"],
+            ["pkg-config", "--libs", "cmocka", "expat", "gmp", "jansson", "libpng", "mpfr", "zlib"],
             check=True, text=True, stdout=subprocess.PIPE).stdout.split()
     return found
 

@@ -1,8 +1,9 @@
 # _library.py - the shared library beside this file, called as sphaera.h declares it
 # SPDX-License-Identifier: Apache-2.0
 import os
+import threading
 from pathlib import Path
-from typing import Any, NamedTuple, Union
+from typing import Any, Callable, NamedTuple, Union
 
 from ._declared import ffi
 
@@ -39,6 +40,34 @@ def made(function: Any, free: Any, kind: str, *arguments: Any) -> Any:
     to = ffi.new(kind + " **")
     call(function, *arguments, to)
     return ffi.gc(to[0], free)
+
+
+def until_interrupted(work: Callable[[Any], Any]) -> Any:
+    """work(stop), by a thread of its own if this is the main one, which Ctrl-C would else find in
+    C: then stop[0] is 1, and the work, which looks at it, ends before the exception goes on."""
+    stop = ffi.new("int *")
+    if threading.current_thread() is not threading.main_thread():
+        return work(stop)
+    done: list[Any] = []
+    failed: list[BaseException] = []
+
+    def run() -> None:
+        try:
+            done.append(work(stop))
+        except BaseException as e:  # pylint: disable=broad-exception-caught
+            failed.append(e)
+
+    thread = threading.Thread(target=run)
+    thread.start()
+    try:
+        thread.join()
+    except BaseException:
+        stop[0] = 1
+        thread.join()
+        raise
+    if failed:
+        raise failed[0]
+    return done[0]
 
 
 class Record(NamedTuple):

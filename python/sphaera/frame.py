@@ -2,12 +2,12 @@
 # SPDX-License-Identifier: Apache-2.0
 from functools import cached_property
 from itertools import count, takewhile
-from typing import Any, Dict, NamedTuple
+from typing import Any, Dict, NamedTuple, Tuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ._library import PathLike, c_text, call, ffi, lib, text
+from ._library import PathLike, c_text, call, ffi, lib, made, text
 from ._options import filled
 
 
@@ -29,8 +29,9 @@ class Frame:
 
     NONE: int = lib.SPHAERA_NONE  # id of no primitive
 
-    def __init__(self, pointer: Any) -> None:
+    def __init__(self, pointer: Any, machine: Any) -> None:
         self._pointer = pointer
+        self._machine = machine
 
     @property
     def width(self) -> int:
@@ -115,5 +116,17 @@ class Frame:
         call(lib.sphaera_frame_write_with, self._pointer, c_text(path), options)
         del kept
 
+    def __reduce__(self) -> Tuple[Any, Tuple[Any, bytes]]:
+        """Pickles it and its machine, for the same version of the library."""
+        data = bytearray(lib.sphaera_frame_size(self._pointer))
+        lib.sphaera_frame_pack(self._pointer, ffi.from_buffer("uint8_t[]", data))
+        return _unpacked, (self._machine, bytes(data))
+
     def __repr__(self) -> str:
         return f"<sphaera.Frame {self.width}x{self.height}, hash {self.hash:016x}>"
+
+
+def _unpacked(machine: Any, data: bytes) -> Frame:
+    pointer = machine._pointer  # pylint: disable=protected-access
+    return Frame(made(lib.sphaera_frame_unpack, lib.sphaera_frame_free, "sphaera_frame", pointer,
+                      ffi.from_buffer("uint8_t[]", data), len(data)), machine)

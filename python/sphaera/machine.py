@@ -1,13 +1,16 @@
 # machine.py - machines: all that the hardware sees; drawn whole, or one ray of them
 # SPDX-License-Identifier: Apache-2.0
+import tempfile
 from functools import cached_property
 from itertools import count, takewhile
+from pathlib import Path
 from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ._library import PathLike, Record, c_text, call, ffi, lib, made, records, text
+from ._library import (PathLike, Record, c_text, call, ffi, lib, made, records, text,
+                       until_interrupted)
 from ._options import Progress, Told, filled
 from .frame import Frame
 from .pixel import Pixel, pixel_of
@@ -35,8 +38,18 @@ class Hits(NamedTuple):
 class Machine:
     """A machine; of Scene.build() or Machine.read()."""
 
-    def __init__(self, pointer: Any) -> None:
+    def __init__(self, pointer: Any, told: Optional[Tuple[str, str, list[Record]]] = None) -> None:
         self._pointer = pointer
+        self._told = told or (text(lib.sphaera_machine_warning(pointer)),
+                              text(lib.sphaera_machine_why(pointer)),
+                              records(lib.sphaera_machine_record, pointer))
+
+    def __reduce__(self) -> Tuple[Any, Tuple[Any, ...]]:
+        """Pickles it as its machine file, and what build told."""
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder, "machine.sph")
+            self.write(file)
+            return _unpacked, (file.read_bytes(), self._told)
 
     @classmethod
     def read(cls, path: PathLike) -> "Machine":
@@ -66,18 +79,19 @@ class Machine:
     @property
     def warning(self) -> str:
         """What build warned of, lines of text; empty if nothing, or if it was read from a file."""
-        return text(lib.sphaera_machine_warning(self._pointer))
+        return self._told[0]
 
     @property
     def why(self) -> str:
         """Why "auto" took its profile, and what was measured of the picture; empty if a profile was
         asked for, or if it was read from a file."""
-        return text(lib.sphaera_machine_why(self._pointer))
+        return self._told[1]
 
     @property
     def records(self) -> list[Record]:
-        """What became of each record of the scene's file, and what the grid left out."""
-        return records(lib.sphaera_machine_record, self._pointer)
+        """What became of each record of the scene's file, and what the grid left out; or what the
+        machine file has."""
+        return list(self._told[2])
 
     @classmethod
     def make(cls, registers: Any, memory: Any, name: str = "memory") -> "Machine":
@@ -132,19 +146,22 @@ class Machine:
                progress: Optional[Progress] = None) -> Frame:
         """Draws it.
 
-        threads   up to 1024; 0: one for every processor
+        threads   up to 1024; 0: one for every processor, or as many as OMP_NUM_THREADS says
         traverse  "fast"; "literal": the text beside the RTL; "brute": without tree; "packets":
                   faster, but visits and counters of the tree are 0
         progress  called with done, all, rows; what it returns, if true, cancels
 
-        Error: another number of threads, another word, no memory, or "cancelled"."""
-        with Told(progress) as told:
-            options, kept = filled("sphaera_render_options", lib.sphaera_render_init, dict(
-                threads=threads, traverse=traverse, progress=told.pointer))
-            frame = Frame(made(lib.sphaera_render_with, lib.sphaera_frame_free, "sphaera_frame",
-                               self._pointer, options))
-            del kept
-        return frame
+        Ctrl-C ends it at once. Error: another number of threads, another word, no memory, or
+        "cancelled"."""
+        def work(stop: Any) -> Any:
+            with Told(progress) as told:
+                options, kept = filled("sphaera_render_options", lib.sphaera_render_init, dict(
+                    threads=threads, traverse=traverse, progress=told.pointer, stop=stop))
+                pointer = made(lib.sphaera_render_with, lib.sphaera_frame_free, "sphaera_frame",
+                               self._pointer, options)
+                del kept
+            return pointer
+        return Frame(until_interrupted(work), self)
 
     def trace_rays(self, origins: Any, directions: Any, threads: int = 0) -> Hits:
         """The nearest hits on n rays at once; as trace() of each, by so many threads, 0: one for
@@ -204,6 +221,15 @@ class Machine:
 
     def __repr__(self) -> str:
         return f"<sphaera.Machine {self.profile}, {self.width}x{self.height}>"
+
+
+def _unpacked(data: bytes, told: Tuple[str, str, list[Record]]) -> Machine:
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder, "machine.sph")
+        file.write_bytes(data)
+        pointer = made(lib.sphaera_machine_read, lib.sphaera_machine_free, "sphaera_machine",
+                       c_text(file))
+    return Machine(pointer, told)
 
 
 def register_names() -> List[Optional[str]]:

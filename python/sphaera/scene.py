@@ -95,7 +95,7 @@ def read(path: PathLike, at: int = 0, strict: bool = False, *, time: Optional[fl
     no file of this name, it may be a kind of `sphaera gen`, such as "random:256".
 
     at                frame that moving primitives are moved to, 0 to 65535
-    strict            what is not used as it stands is an Error
+    strict            what is not used as it stands is an Error, in build() too
     time              of AFF: the scene at this time of its own, not at a frame
     round             cones: greatest distance over the larger radius, 1e-6 to 0.5; 0: 0.005
     skip_unsupported  leave out patches instead of refusing the scene

@@ -2,7 +2,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """usage: python3 python_promises.py ROOT TOOL"""
 import inspect
+import json
+import multiprocessing
+import os
+import pickle
 import re
+import signal
 import subprocess
 import sys
 import threading
@@ -413,6 +418,94 @@ def threads():
     assert len(hashes) == 9 and len(set(hashes[1:])) == 1
 
 
-for promise in (declarations, words, frames, ray, arrays, batches, options, core, stages, verify,
-                errors, threads):
-    promise()
+def strict():
+    """What is not used as it stands is an error, of the scene and of its machine."""
+    twice = "v from 0 0 9 at 0 0 0 up 0 1 0 angle 40 resolution 64 48\nf 1 1 1 1 0 0 0 1\n" \
+            "s 0 0 0 1\ns 0 0 0 1\n"
+    merged = twice.replace("s 0 0 0 1\ns 0 0 0 1", "s 0 0 0 1\ns 0 0 1e-9 1")
+    records = {record.kind: record for record in sphaera.parse(twice).records}
+    assert records["sphere that stands there twice"][1:] == ("left out", 1, "memory.nff", 4)
+    Path("twice.nff").write_text(twice, encoding="utf-8")
+    Path("merged.nff").write_text(merged, encoding="utf-8")
+    refused(sphaera.Error, "^twice.nff:4: left out: sphere .*line 3", sphaera.read, "twice.nff",
+            strict=True)
+    refused(sphaera.Error, "^merged.nff:4: left out: .*grid",
+            sphaera.read("merged.nff", strict=True).build)
+    said = subprocess.run([TOOL, "info", "twice.nff", "--json", "-"], check=True, text=True,
+                          stdout=subprocess.PIPE).stdout
+    ours = [{**r._asdict(), "line": r.line or None} for r in sphaera.read("twice.nff").records]
+    assert json.loads(said)["ledger"] == ours, (said, ours)
+    machine = sphaera.parse(merged).build(profile="standard", width=64, height=48)
+    machine.write("merged.sph")
+    said = subprocess.run([TOOL, "info", "merged.sph", "--json", "-"], check=True, text=True,
+                          stdout=subprocess.PIPE).stdout
+    read = sphaera.Machine.read("merged.sph").records
+    assert [r.kind for r in read] == ["sphere", "machine: registers and memory"], read
+    assert json.loads(said)["ledger"] == [{**r._asdict(), "line": None} for r in read]
+
+
+def pickled():
+    """Machines and frames survive, with all that they tell."""
+    machine = sphaera.read(PAPER5).build(width=64, height=48)
+    frame = machine.render()
+    again, drawn = pickle.loads(pickle.dumps((machine, frame)))
+    assert (again.why, again.warning, again.records) == (machine.why, machine.warning,
+                                                         machine.records) and machine.why
+    assert again.render().hash == frame.hash == drawn.hash
+    assert drawn.counters == frame.counters and drawn.errors == frame.errors
+    assert (drawn.rgb(1) == frame.rgb(1)).all() and (drawn.key == frame.key).all()
+    for name, picture in (("one", frame), ("two", drawn)):
+        picture.write(f"{name}.exr")
+    assert Path("one.exr").read_bytes() == Path("two.exr").read_bytes()
+    data = bytearray(pickle.dumps(frame))
+    data[-len(data) // 4] ^= 1  # of its pixels
+    refused(sphaera.Error, "damaged", pickle.loads, bytes(data))
+
+
+def children():
+    """A child of any kind draws what its parent drew, before and after it, and sends it back."""
+    machine = sphaera.read(PAPER5).build(width=64, height=48)
+    for way in ("fork", "spawn", "forkserver"):
+        context = multiprocessing.get_context(way)
+        frame = machine.render()
+        with context.Pool(2) as pool:
+            found = pool.map(sphaera.Machine.render, [machine] * 4)
+        assert [each.hash for each in found] == [frame.hash] * 4, way
+        assert machine.render().hash == frame.hash, way
+
+
+def interrupts():
+    """Ctrl-C ends a drawing of seconds within a tenth of one; on a busy machine one of some tries
+    does. What is written is there whole or not at all, with nothing beside it."""
+    machine = sphaera.read(f"{ROOT}/scenes/paper100.nff").build(profile="standard", width=8000,
+                                                                height=4500)
+    small = sphaera.read(PAPER5).build(width=1600, height=900).render()
+    folder = Path("interrupted")
+    folder.mkdir()
+    for what, words in ((machine.render, ()), (small.write, (folder / "a.png",))):
+        late = []
+        for wait in (0.2, 0.1, 0.05, 0.02, 0.01):
+            sent = []
+            timer = threading.Timer(wait, lambda: (sent.append(time.monotonic()),
+                                                   os.kill(os.getpid(), signal.SIGINT)))
+            timer.start()
+            try:
+                what(*words)
+                timer.join()
+                time.sleep(1)
+                assert what == small.write, "not interrupted"
+            except KeyboardInterrupt:
+                late.append(time.monotonic() - sent[0])
+        assert what == small.write or min(late) < 0.1, late
+    assert [p.name for p in folder.iterdir()] in ([], ["a.png"]), list(folder.iterdir())
+    again = sphaera.read(PAPER5).build(width=1600, height=900).render()
+    again.write("whole.png")
+    assert again.hash == small.hash
+    for path in folder.iterdir():
+        assert path.read_bytes() == Path("whole.png").read_bytes()
+
+
+if __name__ == "__main__":  # a child that is spawned reads this file too
+    for promise in (declarations, words, frames, ray, arrays, batches, options, core, stages,
+                    verify, errors, threads, strict, pickled, children, interrupts):
+        promise()

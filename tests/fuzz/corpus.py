@@ -1,6 +1,7 @@
 # corpus.py - inputs of the fuzzers that are no text files: command lines and broken images
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 tests/fuzz/corpus.py FOLDER     writes FOLDER/options and FOLDER/image"""
+"""usage: python3 tests/fuzz/corpus.py FOLDER     writes FOLDER/options, FOLDER/image, FOLDER/pdb"""
+import gzip
 import sys
 from pathlib import Path
 
@@ -18,7 +19,7 @@ exportc: export x.sph --c-array n -o x.h --plain
 gen: gen random --spheres 1000 --seed 7 --resolution 32x18 -o x.nff
 gen2: gen sphereflake:4
 hang: load --H
-import: import a.pdb --water --elements e.xml -o x.nff
+import: import a.pdb --water --elements e.xml --style ball-and-stick --color chain -o x.nff
 load: load x.sph --baud 115200
 movie: movie a.png b.png -o m.gif --rate 10
 operations: operations
@@ -34,8 +35,10 @@ widths: build --profile draft:w=14,wd=15 --error 0.125,45 x.nff -ox.sph
   --lights 2 --shadow off --inside auto
 """
 
-# what fuzzers found
+# what fuzzers found, and what is packed
 FOUND = {
+    "pdb/packed": gzip.compress(
+        b"HETATM    1  C   LIG A   1       1.0     2.0     3.0  1.00  0.00           C\n", mtime=0),
     # many outputs, some of one name
     "options/outputs": (
         b"build\nx.nff\n-oreference\nx~mpo-oe\x7f\n-oo\nx@-oender\tx\n-oe\n-oe\x7f\nx\n-oe\x7f\n-o"

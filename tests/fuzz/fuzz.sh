@@ -27,9 +27,9 @@ failed=0
 
 # Of the model and of what runs it for a harness: sources that count for its row.
 sources() {
-    python3 -c 'import sys; from lab.pages import digest as d
-print(d.of_files(sys.argv[1:], d.of("model")))' "tests/fuzz/harness_$1.c" tests/fuzz/afl.c \
-        tests/fuzz/driver.c tests/fuzz/common.c tests/fuzz/driver.c tests/fuzz/scene.c
+    python3 -c 'import sys; from lab.jobs.store import digest; print(digest(sys.argv[1:])[:8])' \
+        'cmodel/**/*.[ch]*' 'cmodel/**/*.def' "tests/fuzz/harness_$1.c" tests/fuzz/afl.c \
+        tests/fuzz/common.c tests/fuzz/driver.c tests/fuzz/scene.c
 }
 
 # What afl-fuzz says of itself: a field of its statistics.
@@ -69,7 +69,8 @@ row() { # harness, how, minutes
 }
 
 for name; do
-    bad=0 kept=0 seed=$SEED digest=$(sources "$name")
+    bad=0 kept=0 seed=$SEED
+    digest=$(sources "$name") || exit 2
     : >"$work/log"
     dict=tests/fuzz/words/$name.dict
     if [ "$how" = afl ]; then

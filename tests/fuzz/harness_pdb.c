@@ -1,9 +1,10 @@
-/* harness_pdb.c - molecules (PDB, mmCIF, XYZ) and tables of points (CSV)
+/* harness_pdb.c - molecules (PDB, mmCIF, XYZ), as they are or packed, and tables of points (CSV)
  * SPDX-License-Identifier: Apache-2.0
  */
 #include <stdio.h>
 
 #include "fuzz.h"
+#include "scene/frustum.h"
 #include "scene/import.h"
 
 static char elements[4096];
@@ -25,7 +26,11 @@ void fuzz_one(const uint8_t *data, size_t size) {
     struct sph_scene scene;
     struct sph_error err = {""};
     uint64_t choice = fuzz_hash(data, size);
-    struct sph_import_options o = {.elements_path = elements, .keep_water = choice >> 60 & 1};
+    struct sph_import_options o = {.elements_path = elements,
+                                   .keep_water = choice >> 60 & 1,
+                                   .sticks = choice >> 58 & 1,
+                                   .colour = (enum sph_atom_colour)((choice >> 50 & 0xff) % 3),
+                                   .round = SPH_FRUSTUM_ROUND_MAX};
     fuzz_write("atoms.pdb", data, size);
     if (sph_import("atoms.pdb", kind_of(data, size), &o, &scene, &err)) {
         fuzz_message(&err, "atoms.pdb", 1);

@@ -1,4 +1,5 @@
-/* test_environment.c - the library draws the same in a fork, and whatever the caller rounds to
+/* test_environment.c - the library draws the same in a fork, whatever the caller rounds to and
+ * whatever OMP_NUM_THREADS is; and it stops
  * SPDX-License-Identifier: Apache-2.0
  */
 #include "sphaera/sphaera.h"
@@ -17,6 +18,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 static int started; /* threads */
@@ -79,9 +81,19 @@ static const char *const scenes[] = {
 };
 enum { SCENES = sizeof scenes / sizeof *scenes };
 
+/* Hash of a file's bytes, which is removed. */
+static uint64_t of_file(uint64_t hash, const char *file) {
+    FILE *in = fopen(file, "rb");
+    for (int c; (c = getc(in)) != EOF;)
+        hash = 31 * hash + (uint64_t)c;
+    fclose(in);
+    unlink(file);
+    return hash;
+}
+
 /* Hash of all that the library makes of a scene: machine file, frame, picture, a ray. */
 static uint64_t made(const char *name) {
-    char path[64], file[] = "/tmp/sphaera-XXXXXX";
+    char path[64], file[] = "/tmp/sphaera-XXXXXX", picture[sizeof file + 4];
     sphaera_scene *s;
     sphaera_machine *m;
     sphaera_frame *f;
@@ -100,12 +112,10 @@ static uint64_t made(const char *name) {
         for (int i = 0; i < 3; i++)
             hash = 31 * hash + (uint64_t)(1e6 * hit.point[i]);
     close(mkstemp(file));
-    if (sphaera_machine_write(m, file, &e)) fail_msg("%s", e.text);
-    FILE *in = fopen(file, "rb");
-    for (int c; (c = getc(in)) != EOF;)
-        hash = 31 * hash + (uint64_t)c;
-    fclose(in);
-    unlink(file);
+    snprintf(picture, sizeof picture, "%s.png", file);
+    if (sphaera_machine_write(m, file, &e) || sphaera_frame_write(f, picture, &e))
+        fail_msg("%s", e.text);
+    hash = of_file(of_file(hash, file), picture);
     sphaera_frame_free(f);
     sphaera_machine_free(m);
     sphaera_scene_free(s);
@@ -133,6 +143,122 @@ static void test_environment(void **unused) {
     }
 }
 
+static sphaera_machine *machine_of(const char *path, int width, int height) {
+    sphaera_scene *s;
+    sphaera_machine *m;
+    sphaera_error e;
+    sphaera_build_options o;
+    sphaera_build_init(&o);
+    o.profile = "standard", o.width = width, o.height = height;
+    if (sphaera_scene_read(path, 0, &s, &e) || sphaera_build(s, &o, &m, &e)) fail_msg("%s", e.text);
+    sphaera_scene_free(s);
+    return m;
+}
+
+/* As many threads as OMP_NUM_THREADS says, and no more than there are processors. */
+static void test_omp(void **unused) {
+    static const struct {
+        const char *threads;
+        int most; /* 0: one for every processor */
+    } cases[] = {
+        {"1", 1},   {"2", 2},  {"100000", 0}, {"99999999999999999999", 0},
+        {"1,4", 1}, /* nested */
+        {"0", 0},   {"-1", 0}, {"many", 0},   {"1x", 0},
+        {"", 0},
+    };
+    sphaera_machine *m = machine_of("scenes/paper100.nff", 64, 36);
+    cpu_set_t set;
+    sphaera_frame *f;
+    sphaera_error e;
+    uint64_t right = 0;
+    (void)unused;
+    assert_int_equal(sched_getaffinity(0, sizeof set, &set), 0);
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        int n = CPU_COUNT(&set), most = cases[i].most && cases[i].most < n ? cases[i].most : n;
+        setenv("OMP_NUM_THREADS", cases[i].threads, 1);
+        started = 0;
+        if (sphaera_render(m, 0, &f, &e)) fail_msg("%s", e.text);
+        if (started > most - 1 || (most > 1 && !started))
+            fail_msg("OMP_NUM_THREADS=%s: %d threads beside the caller", cases[i].threads, started);
+        if (!i) right = sphaera_frame_hash(f);
+        assert_true(sphaera_frame_hash(f) == right);
+        sphaera_frame_free(f);
+    }
+    unsetenv("OMP_NUM_THREADS");
+    sphaera_machine_free(m);
+}
+
+static int stop;
+static struct timespec stopped_at;
+
+static void *stop_soon(void *unused) {
+    usleep(50000);
+    clock_gettime(CLOCK_MONOTONIC, &stopped_at);
+    __atomic_store_n(&stop, 1, __ATOMIC_RELAXED);
+    return unused;
+}
+
+/* A drawing of seconds ends within a tenth of one; on a busy machine one of some tries does. */
+static void test_stop(void **unused) {
+    enum { TRIES = 5, MILLISECONDS = 100 };
+    sphaera_machine *m = machine_of("scenes/paper100.nff", 8000, 4500);
+    sphaera_render_options o;
+    sphaera_frame *f = NULL;
+    sphaera_error e = {""};
+    int64_t least = INT64_MAX;
+    (void)unused;
+    sphaera_render_init(&o);
+    o.threads = 2, o.stop = &stop;
+    for (int i = 0; i < TRIES && least > MILLISECONDS; i++) {
+        pthread_t thread;
+        struct timespec now;
+        stop = 0;
+        pthread_create(&thread, NULL, stop_soon, NULL);
+        assert_int_equal(sphaera_render_with(m, &o, &f, &e), -1);
+        clock_gettime(CLOCK_MONOTONIC, &now);
+        pthread_join(thread, NULL);
+        assert_string_equal(e.text, "paper100: cancelled");
+        assert_null(f);
+        int64_t ms =
+            (now.tv_sec - stopped_at.tv_sec) * 1000 + (now.tv_nsec - stopped_at.tv_nsec) / 1000000;
+        least = ms < least ? ms : least;
+    }
+    if (least > MILLISECONDS) fail_msg("stopped after %d ms", (int)least);
+    sphaera_machine_free(m);
+}
+
+/* A frame of the bytes of another is that frame; of other bytes there is none. */
+static void test_bytes(void **unused) {
+    sphaera_machine *m = machine_of("scenes/paper5.nff", 21, 13);
+    sphaera_frame *f, *again;
+    sphaera_error e;
+    (void)unused;
+    if (sphaera_render(m, 0, &f, &e)) fail_msg("%s", e.text);
+    size_t size = sphaera_frame_size(f);
+    uint8_t *bytes = malloc(size), rgb[2][21 * 13 * 3];
+    sphaera_frame_pack(f, bytes);
+    if (sphaera_frame_unpack(m, bytes, size, &again, &e)) fail_msg("%s", e.text);
+    assert_true(sphaera_frame_hash(f) == sphaera_frame_hash(again));
+    for (int i = 0; sphaera_counter_name(i); i++)
+        assert_true(sphaera_frame_counter(f, i) == sphaera_frame_counter(again, i));
+    sphaera_frame_rgb(f, 1, rgb[0]), sphaera_frame_rgb(again, 1, rgb[1]);
+    assert_memory_equal(rgb[0], rgb[1], sizeof rgb[0]);
+    sphaera_frame_free(again);
+    assert_int_equal(sphaera_frame_unpack(m, bytes, size - 1, &again, NULL), -1);
+    assert_int_equal(sphaera_frame_unpack(m, bytes, 9, &again, NULL), -1);
+    for (size_t i = 0; i < size; i += 7) { /* a bit of it is another */
+        bytes[i] ^= 4;
+        assert_int_equal(sphaera_frame_unpack(m, bytes, size, &again, NULL), -1);
+        bytes[i] ^= 4;
+    }
+    sphaera_machine *other = machine_of("scenes/paper5.nff", 13, 21);
+    assert_int_equal(sphaera_frame_unpack(other, bytes, size, &again, NULL), -1);
+    sphaera_machine_free(other);
+    free(bytes);
+    sphaera_frame_free(f);
+    sphaera_machine_free(m);
+}
+
 /* A child draws after its parent did, and before. */
 static void test_fork(void **unused) {
     (void)unused;
@@ -149,8 +275,10 @@ static void test_fork(void **unused) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_threads),
-                                       cmocka_unit_test(test_environment),
-                                       cmocka_unit_test(test_fork)};
+    unsetenv("OMP_NUM_THREADS");
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_threads), cmocka_unit_test(test_environment),
+        cmocka_unit_test(test_omp),     cmocka_unit_test(test_stop),
+        cmocka_unit_test(test_bytes),   cmocka_unit_test(test_fork)};
     return cmocka_run_group_tests_name("library", tests, NULL, NULL);
 }

@@ -8,8 +8,10 @@
 
 #include "builder/build.h"
 #include "builder/warn.h"
+#include "scene/import.h"
 #include "common/module.h"
 #include "texture/lookup.h"
+#include "validate/describe.h"
 
 #define SPH "s 0 0 0 1\n"
 #define MATT "f 1 0 0 1 0 0 0 1\n"
@@ -21,6 +23,13 @@
 #define LOOP                                                                                       \
     "data_x\nloop_\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n"                  \
     "_atom_site.type_symbol\n_atom_site.pdbx_PDB_model_num\n"
+
+#define CONN                                                                                       \
+    "data_x\nloop_\n_struct_conn.conn_type_id\n_struct_conn.ptnr1_label_atom_id\n"                 \
+    "_struct_conn.ptnr2_label_atom_id\n_struct_conn.ptnr1_symmetry\n_struct_conn.ptnr2_symmetry\n"
+#define ATOMS                                                                                      \
+    "loop_\n_atom_site.group_PDB\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n"    \
+    "_atom_site.type_symbol\n"
 
 #define CORNERS "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
 #define OBJ CORNERS "f 1 2 3\n"
@@ -54,14 +63,15 @@ static const char *const beside[][2] = {
 };
 enum { BESIDE = sizeof beside / sizeof *beside };
 
-enum { READ, BUILD, IMAGES, MESH };
+enum { READ, STICKS, BUILD, IMAGES, FILE_OF_MACHINE, MESH };
 
 static const struct row {
     enum sph_read kind;
     const char *name; /* of the file */
     const char *text;
     uint32_t line;
-    int how; /* who notes it: the reader, build, who reads images, or the reader by assimp */
+    int how; /* who notes it: the reader, import of sticks, build, readers of images or machines,
+                the reader by assimp */
 } rows[] = {
     {SPH_READ_CAMERA, "a.nff", CAM, 1, READ},
     {SPH_READ_LIGHT, "a.nff", CAM LIGHT, 8, READ},
@@ -121,6 +131,22 @@ static const struct row {
     {SPH_READ_UNKNOWN, "a.pdb", CA ATOM("    2", " ?? ", " ", "LIG", "   5.000", "  "), 2, READ},
     {SPH_READ_MODEL, "a.pdb", CA "END   \n" CA, 3, READ},
     {SPH_READ_MODEL, "a.cif", LOOP "0 0 0 C 1\n0 0 9 C 2\n", 9, READ},
+    {SPH_READ_MODEL, "a.xyz", "1\nfirst\nC 0 0 0\n1\nsecond\nC 0 0 0\n", 4, READ},
+    {SPH_READ_BONDS, "a.pdb", CA "CONECT    1    2\n", 2, READ},
+    {SPH_READ_BONDS, "a.cif", CONN "covale A B . .\n" ATOMS "ATOM 0 0 0 C\n", 8, READ},
+    {SPH_READ_BOND_GIVEN, "a.pdb",
+     CA ATOM("    2", " NA ", " ", "ALA", "   9.000", "Na") "CONECT    1    2\n", 3, STICKS},
+    {SPH_READ_BOND_TOLD, "a.pdb", CA ATOM("    2", " CB ", " ", "ALA", "   1.500", " C"), 1,
+     STICKS},
+    {SPH_READ_BOND_NONE, "a.pdb", CA "CONECT    1    2\n", 2, STICKS},
+    {SPH_READ_BOND_WEAK, "a.pdb", CA "CONECT    1                             2\n", 2, READ},
+    {SPH_READ_BOND_WEAK, "a.cif", CONN "hydrog A B . .\n" ATOMS "ATOM 0 0 0 C\n", 8, READ},
+    {SPH_READ_BOND_FAR, "a.cif", CONN "covale A B 1_555 2_555\n" ATOMS "ATOM 0 0 0 C\n", 8, READ},
+    {SPH_READ_ROW_LONG, "a.cif", "data_x\n" ATOMS "ATOM 0 0 0 C 1 2\nATOM 9 9 9 C 1 2\n", 8, READ},
+    {SPH_READ_NO_ATOM, "a.cif", "data_x\n_cell.length_a 9\n" ATOMS "ATOM 0 0 0 C\n", 2, READ},
+    {SPH_READ_NO_ATOM, "a.xyz", "1\nwords\nC 0 0 0\n", 1, READ},
+    {SPH_READ_WORD, "a.csv", "x,y,z\n1,2,3\n", 1, READ},
+    {SPH_READ_MACHINE, "a.nff", CAM MATT SPH, 0, FILE_OF_MACHINE},
     {SPH_READ_CORNER, "a.obj", OBJ, 1, MESH},
     {SPH_READ_CORNER, "a.ply", PLY("", "0 0 0\n1 0 0\n0 1 0\n"), 10, MESH},
     {SPH_READ_TRIANGLE, "a.ply", PLY("", "0 0 0\n1 0 0\n0 1 0\n"), 13, MESH},
@@ -168,7 +194,10 @@ static struct sph_ledger ledger_of(const struct row *row, int strict, struct sph
     struct sph_scene scene;
     snprintf(file_name, sizeof file_name, "%s/%s", folder, row->name);
     put_file(row->text, strlen(row->text));
-    int rc = sph_scene_read(file_name, &how, &scene, err);
+    const struct sph_import_options balls = {.strict = strict, .sticks = 1};
+    int rc = row->how == STICKS
+                 ? sph_import(file_name, sph_file_kind(file_name, NULL), &balls, &scene, err)
+                 : sph_scene_read(file_name, &how, &scene, err);
     unlink(file_name);
     if (rc) return (struct sph_ledger){0};
     struct sph_ledger ledger = scene.ledger;
@@ -176,11 +205,13 @@ static struct sph_ledger ledger_of(const struct row *row, int strict, struct sph
         struct sph_mip mip = {.decoded = row->kind == SPH_READ_SRGB};
         sph_note_images(&scene, &mip, &ledger, err);
     }
-    if (row->how == BUILD) {
+    if (row->how == BUILD || row->how == FILE_OF_MACHINE) {
         struct sph_machine m;
         o.width = 16, o.height = 9, o.profile = SPH_REFERENCE;
-        if (!sph_build(&scene, &o, &m, &report, err)) sph_machine_free(&m);
-        ledger = report.ledger;
+        int built = !sph_build(&scene, &o, &m, &report, err);
+        ledger = row->how == BUILD ? report.ledger : (struct sph_ledger){0};
+        if (built && row->how == FILE_OF_MACHINE) sph_machine_note(&m, file_name, &ledger);
+        if (built) sph_machine_free(&m);
     }
     sph_scene_free(&scene);
     return ledger;
@@ -222,6 +253,95 @@ static void test_rows(void **state) {
     }
     for (int kind = 0; kind < SPH_READS; kind++)
         if (!found[kind]) fail_msg("no file has a \"%s\"", sph_read_name((enum sph_read)kind));
+}
+
+/* Every record that a format has, behind what it needs before it: each is one more in the ledger
+ * (two where it holds another record), as this kind. */
+#define VIEW "v from 0 0 5 at 0 0 0 up 0 1 0 angle 30 hither 1 resolution 16 9\n"
+#define MESH_HEAD "vertices 3 0 0 0 1 0 0 0 1 0 "
+static const struct word {
+    const char *name, *before, *record;
+    enum sph_read kind;
+} words[] = {
+    {"a.nff", "", VIEW, SPH_READ_CAMERA},
+    {"a.nff", VIEW, "b 0 0 0", SPH_READ_COLOUR},
+    {"a.nff", VIEW, "ambient 0 0 0", SPH_READ_COLOUR},
+    {"a.nff", VIEW, "l 1 1 1", SPH_READ_LIGHT},
+    {"a.nff", VIEW, "l 1 1 1 .5 .5 .5", SPH_READ_LIGHT},
+    {"a.nff", VIEW, "f 1 0 0 1 0 0 0 1", SPH_READ_MATERIAL},
+    {"a.nff", VIEW, "fm 1 0 0 1 0 0 0 0 0 0 0 1", SPH_READ_MATERIAL},
+    {"a.nff", VIEW, "shading sum", SPH_READ_WORD},
+    {"a.nff", VIEW, "shadows clear", SPH_READ_WORD},
+    {"a.nff", VIEW, "texture none", SPH_READ_WORD},
+    {"a.nff", VIEW, "move 1 0 0", SPH_READ_WORD},
+    {"a.nff", VIEW, "still", SPH_READ_WORD},
+    {"a.nff", VIEW, "fly 1 0 0 9 0 0 0", SPH_READ_WORD},
+    {"a.nff", VIEW MATT, "s 0 0 0 1", SPH_READ_SPHERE},
+    {"a.nff", VIEW MATT, "p 3 0 0 0 1 0 0 0 1 0", SPH_READ_POLYGON},
+    {"a.nff", VIEW MATT, "pp 3 0 0 0 0 0 1 1 0 0 0 0 1 0 1 0 0 0 1", SPH_READ_POLYGON},
+    {"a.nff", VIEW MATT, "c 0 0 0 1 0 0 1 1", SPH_READ_CONE},
+    {"a.nff", VIEW MATT, "plane 0 0 0 0 1 0", SPH_READ_PLANE},
+    {"a.nff", VIEW MATT, "tt none 0 0 0 0 0 1 0 0 0 0 0 1 0 0 0", SPH_READ_TRIANGLE},
+    {"a.nff", VIEW MATT, "ttp none 0 0 0 0 0 1 0 0 1 0 0 0 0 1 0 0 0 1 0 0 0 1 0 0",
+     SPH_READ_TRIANGLE},
+    {"a.nff", VIEW MATT, "pb 3 1 2", SPH_READ_UNSUPPORTED},
+    {"a.nff", VIEW MATT, "t 1 2", SPH_READ_UNSUPPORTED},
+    {"a.nff", VIEW MATT, "tpp none 1 2", SPH_READ_UNSUPPORTED},
+    {"a.aff", VIEW, "am 0 0 0", SPH_READ_COLOUR},
+    {"a.aff", VIEW, "l 1 1 1", SPH_READ_LIGHT},
+    {"a.aff", VIEW, "la x 1 1 1 .5 .5 .5", SPH_READ_LIGHT},
+    {"a.aff", VIEW, "d 2", SPH_READ_WORD},
+    {"a.aff", VIEW, "i 3 other.aff", SPH_READ_DETAIL},
+    {"a.aff", VIEW, "a 0 1 2", SPH_READ_WORD},
+    {"a.aff", VIEW, "k x { visibility 1 0 1 }", SPH_READ_WORD},
+    {"a.aff", VIEW MATT, "x x { s 0 0 0 1 }", SPH_READ_WORD},
+    {"a.aff", VIEW MATT, "xs 1 1 1 0 0 1 0 0 0 0 { s 0 0 0 1 }", SPH_READ_WORD},
+    {"a.aff", VIEW MATT, "m " MESH_HEAD "triangles 1 0 1 2", SPH_READ_MESH},
+    {"a.aff", VIEW MATT, "tpa 1 0 0 0 0 0 0 1 1 0 0 0 0 1 0 1 0 0 0 1", SPH_READ_TRIANGLE},
+    {"a.pdb", CA, "HEADER    TOXIN", SPH_READ_NO_ATOM},
+    {"a.pdb", CA, "REMARK 350", SPH_READ_NO_ATOM},
+    {"a.pdb", CA, "TER", SPH_READ_NO_ATOM},
+    {"a.pdb", CA, "ANISOU    1  CA  ALA A   1      100    100    100      0      0      0",
+     SPH_READ_NO_ATOM},
+    {"a.pdb", CA, "CONECT    1", SPH_READ_BONDS},
+    {"a.pdb", CA, "ATOM      2  N   ALA A   1       5.000   0.000   0.000", SPH_READ_ELEMENT},
+    {"a.pdb", CA, "HETATM    2  N   LIG A   1       5.000   0.000   0.000", SPH_READ_ELEMENT},
+    {"a.pdb", CA, "end", SPH_READ_NO_ATOM},
+    {"a.cif", LOOP "0 0 0 C 1\n", "1 2 3 C 1", SPH_READ_ATOM},
+    {"a.cif", LOOP "0 0 0 C 1\n", "_cell.length_a 1", SPH_READ_NO_ATOM},
+    {"a.cif", LOOP "0 0 0 C 1\n", "loop_ _a.b 1", SPH_READ_NO_ATOM},
+    {"a.cif", LOOP "0 0 0 C 1\n", "_chem_comp_bond.comp_id ALA", SPH_READ_BONDS},
+    {"a.cif", LOOP "0 0 0 C 1\n", "_struct_conn.conn_type_id covale", SPH_READ_BONDS},
+    {"a.xyz", "1\n\nC 0 0 0\n", "1", SPH_READ_MODEL},
+    {"a.csv", "x y z r\n0 0 0 1\n", "1 0 0 1", SPH_READ_SPHERE},
+};
+
+/* How many records there are of a text, and of one kind of them. -1: it is refused. */
+static int64_t count_of(const struct word *word, int whole, int64_t *of_kind) {
+    char text[1000];
+    struct sph_error err = {""};
+    struct row row = {.name = word->name, .text = text};
+    snprintf(text, sizeof text, whole ? "%s%s\n" : "%s", word->before, word->record);
+    struct sph_ledger ledger = ledger_of(&row, 0, &err);
+    int64_t n = 0;
+    for (int kind = 0; kind < SPH_READS; kind++)
+        n += (int64_t)ledger.row[kind].n;
+    *of_kind = (int64_t)ledger.row[word->kind].n;
+    if (whole && err.text[0]) fail_msg("`%s`: %s", word->record, err.text);
+    return err.text[0] ? -1 : n;
+}
+
+static void test_words(void **state) {
+    (void)state;
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
+        int64_t kind, kind_without, n = count_of(&words[i], 1, &kind);
+        int64_t without = count_of(&words[i], 0, &kind_without);
+        if (without < 0) without = kind_without = 0; /* there is nothing before it */
+        if (kind <= kind_without || n <= without || n > without + 2)
+            fail_msg("%s: `%s`: %d records of its kind, %d before it; %d and %d of all",
+                     words[i].name, words[i].record, (int)kind, (int)kind_without, (int)n,
+                     (int)without);
+    }
 }
 
 /* What build leaves out counts once: as left out, unless something of its record is left. */
@@ -276,7 +396,7 @@ static void test_print(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_rows), cmocka_unit_test(test_once),
-                                       cmocka_unit_test(test_print)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_rows), cmocka_unit_test(test_words),
+                                       cmocka_unit_test(test_once), cmocka_unit_test(test_print)};
     return cmocka_run_group_tests_name("ledger", tests, make_folder, remove_folder);
 }

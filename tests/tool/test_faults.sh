@@ -22,6 +22,31 @@ while read -r line; do # its lines as checks of this suite
 done <"$TMP/lines"
 check "faults were tried" grep -q '^1\.\.' "$TMP/lines"
 
+# ---- Ctrl-C: within a tenth of a second; on a busy machine one of some tries is ----
+cat >"$TMP/interrupt.py" <<'END'
+import os, signal, subprocess, sys, time
+tool, folder, *words = sys.argv[1:]
+os.makedirs(folder)
+late = []
+for wait in (0.3, 0.5, 0.7, 0.9, 1.1):
+    run = subprocess.Popen([tool, *words], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
+                           preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
+    time.sleep(wait)
+    assert run.poll() is None, "it had ended"
+    start = time.monotonic()
+    run.send_signal(signal.SIGINT)
+    said = run.communicate()[1].decode()
+    late.append(time.monotonic() - start)
+    assert run.returncode == -signal.SIGINT and "ended by signal 2" in said, said
+    assert not os.listdir(folder), os.listdir(folder)
+assert min(late) < 0.1, late
+END
+"$s" build scenes/paper100.nff --profile standard --size 4000x2250 -o "$TMP/large.sph" >"$TMP/out"
+check "Ctrl-C ends a drawing at once" python3 "$TMP/interrupt.py" "$s" "$TMP/drawn" \
+    render "$TMP/large.sph" --frame "$TMP/drawn/x.frame"
+check "... and a reference" python3 "$TMP/interrupt.py" "$s" \
+    "$TMP/film" reference scenes/paper100.nff --size 3200x1800 -o "$TMP/film/x.png"
+
 # ---- memory ----
 refused() { # what the message says, words of the tool
     message=$1
