@@ -171,7 +171,8 @@ def own_core(run, build, table):
             + f"<p class='soft'>Profile {text(profile)}, ECP5. All effects on: shadow, mirror and "
             "inside rays are traced though no pixel needs them. ~: estimated from cores that were "
             "synthesised; CELLS=1 synthesises these. -: not measured (RTL=1).</p>"
-            "<p>Energy: not measured.</p>" + left_out(run.built["build"]) + page.effects(run))
+            + page.energy(run, page.row_of(run, table)) + left_out(run.built["build"])
+            + page.effects(run))
 
 
 def left_out(build):

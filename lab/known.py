@@ -4,7 +4,8 @@
 (accuracy.kinds, else accuracy.costs, whose profiles were synthesised together, else effects.costs,
 else effects.left_out) and its clock from clocks.tsv. Then a line a word that cores have, and what
 it adds: the median over pairs of cores of a table that differ in it, and in what is known before,
-alone; of words that no pair tells, what the whole core loses without (effects.prices)."""
+alone; of words that no pair tells, what the whole core loses without (effects.prices). Then what
+events take in standard cells, of the tables of silicon.md."""
 import itertools
 import re
 import statistics
@@ -12,6 +13,7 @@ from functools import lru_cache
 
 from . import clocks, intact
 from .pages import data
+from .silicon import fit
 from .study.points import CORE, PROFILES
 
 HEAD = """/* known_table.h - generated from docs/results/data by `python3 -m lab known`; do not edit
@@ -23,6 +25,12 @@ TABLE = """/* profile, effects, pipes, LUT4eq, MULT18X18D, DP16KD, worst, median
 """
 WORDS = """/* word, what it adds to a core of profile standard: LUT4eq, MULT, DP16KD; points */
 #define SPH_KNOWN_WORDS \\
+"""
+EVENTS = """/* counter, nJ of an event in profile standard; what it is of */
+#define SPH_KNOWN_EVENTS \\
+"""
+SCALES = """/* profile, what its events take of that; nJ of a clock for each LUT4eq of the core */
+#define SPH_KNOWN_PROFILE_ENERGIES \\
 """
 POINTS = {"reflect", "lights", "interpenetrate", "texture", "refract"}  # need hit points
 KEY = re.compile(r"(?P<profile>[a-z]+)-ecp5-(?P<effects>[a-z0-9+]+)-engines1"
@@ -113,5 +121,11 @@ def main(file):
              for profile, effects, pipes in sorted(area.keys() | clock.keys())]
     costs = [f'    {{"{word}", {", ".join(map(str, counts))}, {int(word in POINTS)}}}'
              for word, counts in sorted(words().items())]
-    intact.write(file, HEAD + TABLE + ", \\\n".join(lines) + "\n" + WORDS
-                 + ", \\\n".join(costs) + "\n")
+    of = fit.model()
+    events = [f'    {{SPH_COUNT_{counter.upper()}, {weight:.4f}, "{name}"}}'
+              for (name, counters), weight in zip(fit.EVENTS.items(), of.weights)
+              for counter in counters]
+    energies = [f'    {{"{profile}", {scale:.3f}, {of.clocks[profile]:.4g}}}'
+                for profile, scale in sorted(of.scales.items())]
+    parts = ((TABLE, lines), (WORDS, costs), (EVENTS, events), (SCALES, energies))
+    intact.write(file, HEAD + "".join(head + ", \\\n".join(rows) + "\n" for head, rows in parts))

@@ -19,7 +19,7 @@ from .synth import results
 AREA = ("lut4eq", "mult", "bram")
 PROFILES = ("draft", "standard", "fine", "reference")
 HEAD = ["", "dB", "expected", "wrong", "undecided", "cycles a pixel", "limit", "LUT4eq", "MULT",
-        "RAM", "MHz", "ms a frame"]
+        "RAM", "MHz", "ms a frame", "nJ a pixel"]
 NO_MORE = [""] * (len(HEAD) - 2)     # of a row that could not be built
 STYLE = ('<style>.strip{display:flex;flex-wrap:wrap;gap:1em}.strip figure{margin:0}'
          '.crop{width:%dpx;max-width:100%%;overflow:hidden}.crop img{width:300%%;max-width:none;'
@@ -107,7 +107,8 @@ def line(row):
             shown(expected["psnr"], "{:.2f}"), str(of["wrong"]), str(of["undecidable"]),
             f"{cycles:.2f}", row["limit"]["unit"], *(shown(area.get(name), of=row["cells"])
                                                   for name in AREA), clock(row["clock"]),
-            shown(row["milliseconds"], "{:.3f}", row["clock"])]
+            shown(row["milliseconds"], "{:.3f}", row["clock"]),
+            f"~{row['energy']['nj_pixel']:.1f}" if row.get("energy") else "-"]
 
 
 def text(price):

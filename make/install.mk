@@ -6,7 +6,8 @@
 D       := $B/dist
 SOVERSION = $(firstword $(subst ., ,$(VERSION)))
 SO      := libsphaera.so.$(VERSION)
-to_prefix = $(call values,PREFIX DESTDIR VERSION) BUILD=$B REQUIRES='$(if $(OIIO),OpenImageIO )$(MODEL_PACKAGES)'
+to_prefix = $(call values,PREFIX DESTDIR VERSION) BUILD=$B \
+            REQUIRES='$(if $(OIIO),OpenImageIO )$(MODEL_PACKAGES)'
 LIBRARY_C := $(API_C) $(IMAGE_C) $(LIB_C)
 # The shared one loads OpenImageIO when a picture is asked for; a static one is linked with it. Both
 # load what reads meshes.

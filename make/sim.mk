@@ -67,6 +67,10 @@ silicon: $(TOOL) ## area, MHz and energy of SCENE's core in cells of LIB, which 
 silicon-run:
 	$(Q)$(call values,MACROS YOSYS) $(call run,silicon,$(SIM_KEY) MACROS)
 
+.PHONY: silicon-folder
+silicon-folder: # prints where such a run, with SIM=silicon, leaves what it makes
+	@$(call run,--folder silicon,$(SIM_KEY) MACROS)
+
 silicon-setup: yosys-setup ## installs cells, OpenSTA (apt), Yosys (PyPI), for make silicon
 	@sh sim/setup.sh qflow-tech-osu018 opensta
 

@@ -22,7 +22,7 @@ ERROR ?=
 SIZE ?= 320x180
 ## SAMPLES 1..16 N x N rays a pixel: the frame is N times as wide and high, pictures have the mean
 SAMPLES ?= 1
-## TREE reinserted|balanced|paper of bvh4
+## TREE reinserted|balanced|paper|paper-grown of bvh4
 TREE ?= reinserted
 ## ACCEL auto|bvh4|box4|bih|brute spheres or boxes around four children, a bounding interval
 ##             hierarchy, no tree;
@@ -93,9 +93,9 @@ MOVIE ?=
 ##             cxxrtl: Yosys's C++ (make cxxrtl-setup); ecp5, xc7: gates that Yosys maps to;
 ##             silicon: standard cells of LIB (make silicon-setup)
 SIM ?= verilator
-## LIB <text>| standard cells, a file in Liberty format, of make silicon (empty: OSU's, of 0.18 um)
+## LIB <word>| standard cells, a file in Liberty format, of make silicon (empty: OSU's, of 0.18 um)
 LIB ?=
-## MACROS <text>| its table of memories (empty: lab/silicon/macros.tsv)
+## MACROS <word>| its table of memories (empty: lab/silicon/macros.tsv)
 MACROS ?=
 ## CLOCK_GATES 0|1 if 1, gates stop the clock of its flip-flops that wait, if Yosys knows such
 CLOCK_GATES ?= 1

@@ -41,7 +41,8 @@ class Hook(BuildHookInterface):
         made = {f"{build}/dist/libsphaera.so.{release}": "sphaera/libsphaera.so"}
         clean = {k: v for k, v in os.environ.items()
                  if k not in ("MAKEFLAGS", "MFLAGS", "MAKELEVEL", "SPHAERA_JOBS")}
-        subprocess.run(["make", "-s", f"B={build}", "library"], cwd=self.root, env=clean, check=True)
+        subprocess.run(["make", "-s", f"B={build}", "library"], cwd=self.root, env=clean,
+                       check=True)
         for part in "image", "mesh":        # each may be missing
             name = f"sphaera_{part}.so"
             if Path(self.root, build, name).exists():

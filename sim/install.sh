@@ -76,7 +76,7 @@ install)
             install -m 755 "$BUILD/sphaera_$part.so" "$to/lib/sphaera/$part.so"
     done
     install -m 644 cmodel/sphaera/sphaera.h cmodel/sphaera/sphaera.hpp "$to/include/sphaera"
-    install -m 644 vip/*.sv vip/*.py "$to/share/sphaera/vip"
+    install -m 644 tb/vip/*.sv tb/vip/*.py "$to/share/sphaera/vip"
     install -m 755 "$dist/$shared" "$to/lib"
     ln -sf "$shared" "$to/lib/libsphaera.so.$major"
     ln -sf "$shared" "$to/lib/libsphaera.so"
@@ -98,7 +98,7 @@ uninstall)
     done
     rm -f "$bash/sphaera" "$zsh/_sphaera"
     for page in "$dist"/man/*.1; do rm -f "$to/share/man/man1/${page##*/}"; done
-    for file in vip/*.sv vip/*.py; do rm -f "$to/share/sphaera/$file"; done
+    for file in tb/vip/*.sv tb/vip/*.py; do rm -f "$to/share/sphaera/vip/${file##*/}"; done
     rmdir "$to/include/sphaera" "$to/lib/sphaera" "$to/lib/cmake/sphaera" "$to/share/sphaera/vip" \
         "$to/share/sphaera" 2>/dev/null || :
     ;;

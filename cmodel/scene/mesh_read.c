@@ -109,13 +109,16 @@ static int receive(int from, void *to, size_t n) {
     return 1;
 }
 
-static int sound(const struct sph_scene *s) {
+/* Whether what the child sent is a scene. A mesh has triangles alone. */
+static int sound(struct sph_scene *s) {
     for (uint32_t i = 0; i < s->n_spheres; i++)
         if (s->spheres[i].material >= s->n_materials || s->spheres[i].texture) return 0;
-    for (uint32_t i = 0; i < s->n_facets; i++)
+    for (uint32_t i = 0; i < s->n_facets; i++) {
+        s->facets[i].kind = SPH_TRIANGLE;
         if (s->facets[i].material >= s->n_materials || s->facets[i].texture > s->n_textures ||
-            s->facets[i].kind != SPH_TRIANGLE || s->facets[i].motion || s->facets[i].frustum)
+            s->facets[i].motion || s->facets[i].frustum)
             return 0;
+    }
     return s->n_lights >= 0 && s->n_lights <= SPH_MAX_LIGHTS;
 }
 

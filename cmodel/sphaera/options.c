@@ -1,6 +1,7 @@
 /* options.c - what is built, as users say it and as the builder takes it: see sphaera.h
  * SPDX-License-Identifier: Apache-2.0
  */
+#include <math.h>
 #include <string.h>
 
 #include "builder/background/background.h"
@@ -75,11 +76,12 @@ static int accel(const sphaera_build_options *from, struct sph_build_options *o,
                  struct sph_error *err) {
     static const char *const accels[] = {"auto", "bvh4", "bih", "brute", "box4", NULL};
     static const int kinds[] = {SPH_TREE_AUTO, 0, SPH_TREE_BIH, SPH_TREE_BRUTE, SPH_TREE_BOX4};
-    static const char *const trees[] = {"paper", "balanced", "reinserted", NULL};
-    static const int numbers[] = {SPH_TREE_PAPER, SPH_TREE_BALANCED, SPH_TREE_REINSERTED};
+    static const char *const trees[] = {"paper", "balanced", "reinserted", "paper-grown", NULL};
+    static const int numbers[] = {SPH_TREE_PAPER, SPH_TREE_BALANCED, SPH_TREE_REINSERTED,
+                                  SPH_TREE_PAPER};
     static const char *const ways[] = {"full", "listing", NULL};
     static const char *const axes[] = {"auto", "camera", "scene", NULL};
-    enum { AUTO, BVH4, BIH, REINSERTED = 2 };
+    enum { AUTO, BVH4, BIH, REINSERTED = 2, GROWN = 3 };
     int a = sph_api_choice("accel", from->accel, accels, err);
     int t = sph_api_choice("tree", from->tree, trees, err);
     int b = sph_api_choice("bih", from->bih, ways, err);
@@ -92,11 +94,17 @@ static int accel(const sphaera_build_options *from, struct sph_build_options *o,
     const char *only = b                      ? "bih"
                        : from->max_prims      ? "max_prims"
                        : from->max_tree_depth ? "max_tree_depth"
+                       : from->bih_fit != 0   ? "bih_fit"
                                               : NULL;
     if (only && a != BIH) return sph_fail(err, "%s is for accel 'bih', not '%s'", only, accels[a]);
     if (from->max_tree_depth != SPHAERA_INFINITY &&
         sph_api_whole("max_tree_depth", from->max_tree_depth, 0, LEVELS_MOST, err))
         return -1;
+    if (from->bih_fit != 0 && from->bih_fit != INFINITY &&
+        sph_api_real("bih_fit", from->bih_fit, 1, 100, err))
+        return -1;
+    o->bih_fit = from->bih_fit == INFINITY ? UINT32_MAX : (uint32_t)lround(100 * from->bih_fit);
+    o->paper_grows = t == GROWN;
     o->tree = a == BVH4 ? numbers[t] : kinds[a];
     o->bih = SPH_BIH_FULL + b;
     o->axes = SPH_AXES_AUTO + x;

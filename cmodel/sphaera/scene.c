@@ -29,6 +29,9 @@ static int read_options(const sphaera_read_options *from, const char *name,
         (from->round != 0 &&
          sph_api_real("round", from->round, SPH_FRUSTUM_ROUND_MIN, SPH_FRUSTUM_ROUND_MAX, err)))
         return -1;
+    if (from->radius != 0 && sph_api_real("radius", from->radius, 1e-9, 1e9, err)) return -1;
+    if (from->up && !strchr("xyz", from->up))
+        return sph_fail(err, "up is '%c', none of x, y, z", from->up);
     if (from->timed && !sph_aff_is(name))
         return sph_fail(err, "%.400s: time is for AFF scenes; frames of others are `at`", name);
     *to = (struct sph_read_options){.skip_unsupported = from->skip_unsupported,
@@ -36,7 +39,10 @@ static int read_options(const sphaera_read_options *from, const char *name,
                                     .round = from->round,
                                     .at = from->at,
                                     .timed = from->timed,
-                                    .time = from->time};
+                                    .time = from->time,
+                                    .camera = from->camera,
+                                    .radius = from->radius,
+                                    .up = from->up};
     return 0;
 }
 

@@ -11,10 +11,11 @@
  * made and there is nothing to free. Nothing here ends the program, prints, or changes the locale.
  *
  * Threads. There is no global state. A scene, a machine and a frame never change once they are
- * made: any number of threads may use the same one at once, until one of them frees it.
- * sphaera_build(), from 1000 primitives on, and sphaera_render() share work with threads of their
- * own, which wait without turning, take no signals and are gone when the call returns; so a process
- * may fork between calls, and the child may call.
+ * made: any number of threads may use the same one at once, until one of them frees it. What is
+ * made of a machine keeps it, so that it may be freed before. sphaera_build(), from 1000 primitives
+ * on, and sphaera_render() share work with threads of their own, which wait without turning, take
+ * no signals and are gone when the call returns; so a process may fork between calls, and the child
+ * may call.
  *
  * Floating point. The caller's rounding, traps and flags change no result, and are his again when a
  * call returns.
@@ -67,6 +68,9 @@ typedef struct sphaera_read_options {
     int timed;   /* AFF: 1: at `time`, -1e9..1e9, whatever the frame */
     double time;
     double round;         /* cones: greatest distance over the larger radius, 1e-6..0.5; 0: 0.005 */
+    const char *camera;   /* of a mesh: its name or number; NULL: the first */
+    double radius;        /* of points without one, 1e-9..1e9; 0: as --radius */
+    char up;              /* of a mesh: 'x', 'y', 'z'; 0: as its format has it */
     int skip_unsupported; /* 1: leave out patches instead of refusing the scene */
     int strict;           /* 1: what is not used as it stands is an error, with file and line */
     sphaera_progress progress; /* NULL: nobody is told */
@@ -84,11 +88,12 @@ SPHAERA_API int sphaera_scene_read_with(const char *path, const sphaera_read_opt
  * records the file is `name`, the line the row of the array, from 1 on. */
 typedef struct sphaera_arrays {
     size_t size;
-    const char *name;                 /* in messages and in the machine: "arrays" */
-    double from[3], at[3], up[3];     /* camera: eye, what it looks at, upwards */
-    double angle;                     /* vertical field of view, degrees, within 0..180 */
-    double shift[2];                  /* of the picture on its screen, in its heights: 0 0 */
-    int width, height;                /* pixels, 1..16383 */
+    const char *name;             /* in messages and in the machine: "arrays" */
+    double from[3], at[3], up[3]; /* camera: eye, what it looks at, upwards */
+    double angle;                 /* vertical field of view, degrees, within 0..180 */
+    double shift[2];              /* of the picture's middle to the right and up, in its heights,
+                                     -64..64 */
+    int width, height;            /* pixels, 1..16383 */
     double background[3], ambient[3]; /* colours */
     uint32_t n_materials, n_spheres, n_triangles, n_planes, n_lights;
     const double *materials; /* [n][8]: red green blue Kd Ks Shine T index, `f` of NFF */
@@ -153,11 +158,12 @@ typedef struct sphaera_build_options {
     double
         error_pixels;   /* "auto" keeps: what the eye sees is off by at most, 1e-9..1e9; 0: 0.125 */
     double error_psnr;  /* and dB of the picture, up to 99; 0: 45 */
-    const char *tree;   /* of bvh4: "reinserted", "balanced", "paper" */
+    const char *tree;   /* of bvh4: "reinserted", "balanced", "paper", "paper-grown" */
     const char *axes;   /* of the grid: "auto", "camera", "scene" */
     const char *bih;    /* "full", "listing" */
     uint32_t max_prims; /* bih: a leaf of no more is not cut; 0: 4; SPHAERA_INFINITY */
     uint32_t max_tree_depth;   /* bih: levels, 1..65; 0: 65 */
+    double bih_fit;            /* bih: as --bih-fit, 1..100, INFINITY; 0: its default */
     const char *background;    /* "none", "rect", "spans", "exact" */
     int bg_points;             /* spans: meridians and parallels, 4..4096; 0: 16 */
     int bg_border;             /* spans: pixels around the outline, 0..64 */

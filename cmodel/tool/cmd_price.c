@@ -65,13 +65,13 @@ static const char *or_none(char text[16], const char *form, double value, int es
 static void print_row(FILE *to, const struct sph_price *p, int i) {
     const struct sph_price_row *r = &p->row[i];
     const struct sph_known_core *k = &r->known;
-    char cell[6][16];
+    char cell[7][16];
     fprintf(to, "%c %-28s ", i == p->best ? '*' : ' ', r->name);
     if (!r->built) {
         fprintf(to, "%s\n", r->why);
         return;
     }
-    fprintf(to, "%7.2f %8s %6" PRIu64 " %6" PRIu64 " %8.2f %7s %5s %4s %6s %9s\n",
+    fprintf(to, "%7.2f %8s %6" PRIu64 " %6" PRIu64 " %8.2f %7s %5s %4s %6s %9s %7s\n",
             r->accuracy.image.psnr[SPH_FRAMES - 1],
             or_none(cell[0], "%.2f", r->expected.fits ? r->expected.psnr : 0, 0), r->wrong,
             r->accuracy.image.undecidable, r->cycles.pixel,
@@ -79,19 +79,21 @@ static void print_row(FILE *to, const struct sph_price *p, int i) {
             or_none(cell[2], "%.0f", k->mult, k->cells_estimated),
             or_none(cell[3], "%.0f", k->bram, k->cells_estimated),
             or_none(cell[4], "%.1f", k->median, k->clock_estimated),
-            or_none(cell[5], "%.3f", r->milliseconds, k->clock_estimated));
+            or_none(cell[5], "%.3f", r->milliseconds, k->clock_estimated),
+            or_none(cell[6], "%.1f", r->energy.pixel, 1));
 }
 
 /* What the figures are worth, of rows alike once. */
 static void print_notes(FILE *to, const struct sph_price *p) {
     const struct sph_price_row *sure = NULL;
-    int cells = 0, clock = 0, estimated = 0;
+    int cells = 0, clock = 0, estimated = 0, energy = 0;
     for (int i = 0; i < p->n; i++) {
         const struct sph_price_row *r = &p->row[i];
         if (!r->built) continue;
         sure = r;
         cells += !r->known.lut4eq;
         clock += !(r->known.median > 0);
+        energy += r->energy.pixel > 0;
         estimated += r->known.cells_estimated || r->known.clock_estimated;
     }
     if (!sure) return;
@@ -114,7 +116,9 @@ static void print_notes(FILE *to, const struct sph_price *p) {
                     "5 %%; the clock is that of the nearest core that was routed\n");
     if (cells) fprintf(to, "cells -: nobody has synthesised that core; make price does\n");
     if (clock) fprintf(to, "clock -: nobody has routed that core; make study-seeds does\n");
-    fprintf(to, "energy: not measured of any core\n");
+    fprintf(to, energy ? "energy: as standard cells of 0.18 um, from events that were fitted to "
+                         "netlists, within 10 %% (make silicon measures it)\n"
+                       : "energy: not known of such a core (make silicon measures it)\n");
     if (p->tried[0]) fprintf(to, "does not pay: %s\n", p->tried);
 }
 
@@ -123,8 +127,8 @@ static void print(FILE *to, const char *input, const struct sph_price *p,
     char says[1024];
     if (!to) return;
     fprintf(to, "%s, %dx%d\n", input, p->width, p->height);
-    fprintf(to, "  %-28s %7s %8s %6s %6s %8s %7s %5s %4s %6s %9s\n", "", "dB", "expected", "wrong",
-            "undec.", "cycles/p", "LUT4eq", "MULT", "RAM", "MHz", "ms/frame");
+    fprintf(to, "  %-28s %7s %8s %6s %6s %8s %7s %5s %4s %6s %9s %7s\n", "", "dB", "expected",
+            "wrong", "undec.", "cycles/p", "LUT4eq", "MULT", "RAM", "MHz", "ms/frame", "nJ/p");
     for (int i = 0; i < p->n; i++)
         print_row(to, p, i);
     print_notes(to, p);
@@ -149,6 +153,16 @@ static json_t *measured_json(const struct sph_price_row *r) {
     report_count(json, "shadow", r->accuracy.shadow);
     report_count(json, "reflected", r->accuracy.reflected);
     report_count(json, "refracted", r->accuracy.refracted);
+    return json;
+}
+
+static json_t *energy_json(const struct sph_energy *e) {
+    if (!(e->pixel > 0)) return json_null();
+    json_t *json = json_object(), *parts = json_object();
+    report_number(json, "nj_pixel", e->pixel);
+    report_add(json, "parts", parts);
+    for (int i = 0; i < e->parts; i++)
+        report_number(parts, e->part[i].name, e->part[i].pixel);
     return json;
 }
 
@@ -184,6 +198,7 @@ static json_t *row_json(const struct sph_price_row *r) {
                                "best", k->best, "seeds", k->seeds, "estimated", k->clock_estimated)
                    : json_null());
     report_add(json, "milliseconds", k->median > 0 ? json_real(r->milliseconds) : json_null());
+    report_add(json, "energy", energy_json(&r->energy));
     return json;
 }
 

@@ -127,12 +127,16 @@ static void draw_part(void *user, uint32_t first, uint32_t end) {
         loads(j->drawer.machine, j->sizes, &w, clocks);
         for (int l = 1; l < SPH_LOADS; l++)
             if (clocks[l] > clocks[most]) most = l;
+        for (int n = 0; n < SPH_COUNTERS; n++)
+            mine.count[n] += (double)w.c.count[n];
         mine.frame += clocks[most];
         mine.binds[most] += clocks[most];
     }
     sph_parallel_lock();
     j->sum->frame += mine.frame;
     j->sum->drawn += mine.drawn;
+    for (int i = 0; i < SPH_COUNTERS; i++)
+        j->sum->count[i] += mine.count[i];
     for (int l = 0; l < SPH_LOADS; l++)
         j->sum->binds[l] += mine.binds[l];
     sph_parallel_unlock();
@@ -155,6 +159,8 @@ struct sph_cycles sph_cycles_expect(const struct sph_machine *m, const struct sp
     sph_parallel_most(before);
     sph_drawer_end(&j.drawer);
     c.pixel = REST * c.frame / (double)c.drawn;
+    for (int i = 0; i < SPH_COUNTERS; i++)
+        c.count[i] /= (double)c.drawn;
     for (int l = 0; l < SPH_LOADS; l++) {
         c.binds[l] /= c.frame > 0 ? c.frame : 1;
         if (c.most < 0 || c.binds[l] > c.binds[c.most]) c.most = l;

@@ -34,6 +34,7 @@ struct sph_cycles {
     double binds[SPH_LOADS]; /* part of them in which this unit is the one that needs most */
     int most;                /* the one that binds longest, SPH_LOAD_*; -1: the window is empty */
     uint64_t drawn;          /* pixels that were drawn to know */
+    double count[SPH_COUNTERS]; /* of the model, a pixel of these */
 };
 
 /* Of a core that has all that the machine asks for, and no more. most: about so many pixels of the

@@ -34,6 +34,7 @@ static void of_core(struct sph_price_row *r, const struct sph_machine *m, int pi
     snprintf(r->tree, sizeof r->tree, "%s", sph_machine_tree_name(m));
     sph_machine_core(m, r->core, sizeof r->core);
     r->known = sph_known_core(r->profile.name, r->core, pipes);
+    r->energy = sph_energy_expect(&r->known, &r->cycles);
     if (r->known.median > 0)
         r->milliseconds =
             r->cycles.pixel * j->price->width * j->price->height / (r->known.median * 1000);

@@ -9,6 +9,7 @@
 
 #include "trial/choose.h"
 #include "trial/cycles.h"
+#include "trial/energy.h"
 #include "trial/known.h"
 
 enum { SPH_PRICE_ROWS = 16 };
@@ -36,6 +37,7 @@ struct sph_price_row {
     char tree[24], core[160];    /* of the machine; effects as EFFECTS of make has them */
     struct sph_known_core known; /* cells and clock of this core, or estimated, or all 0 */
     double milliseconds;         /* a frame at that clock; 0: it is not known */
+    struct sph_energy energy;    /* in standard cells */
     int keeps;                   /* what is asked for, measured */
 };
 

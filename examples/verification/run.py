@@ -11,7 +11,7 @@ import sphaera
 from cocotb_tools.check_results import get_results
 from cocotb_tools.runner import get_runner
 
-sys.path += [str(Path(name).resolve()) for name in (".", "vip")]  # cocotb hands them on
+sys.path += [str(Path(name).resolve()) for name in (".", "tb/vip")]  # cocotb hands them on
 from lab.top.cocotb_run import wrapper  # noqa: E402  pylint: disable=wrong-import-position
 
 

@@ -160,6 +160,24 @@ def head(run):
             f'<dl class="figures">{cells}</dl>')
 
 
+def energy(run, row):
+    """nJ a pixel by part, of the row of a table of prices; its clocks are those of the run."""
+    if not row or not row["energy"]:
+        return "<p>Energy: not known of such a core; <code>make silicon</code> measures it.</p>"
+    parts = dict(row["energy"]["parts"])
+    parts["idle clock"] *= run.last["cycles_per_pixel"] / row["cycles_per_pixel"]
+    return (f"<p>Energy, as standard cells of 0.18 um: ~{number(sum(parts.values()), 1)} nJ a "
+            "pixel: " + ", ".join(f"{text(name)} {number(nj, 1)}" for name, nj in parts.items())
+            + ". Estimated from events; <code>make silicon</code> measures it.</p>")
+
+
+def row_of(run, table):
+    """The row of a table of prices that is of the run's profile and core; None: there is none."""
+    return next((row for row in table["rows"] if not row["why"]
+                 and row["name"] == run.report["profile"]
+                 and row["core"] == run.report.get("core")), None)
+
+
 def costs(run):
     """What other profiles would cost; nothing of a scene that is not built at once."""
     name = run.folder / "price.json"
@@ -168,7 +186,7 @@ def costs(run):
     table = json.loads(name.read_text("utf-8"))["price"]
     return ("<h2>What accuracy costs in time</h2>" + price.rows(table)
             + f'<p class="soft">{text(table["says"])}. Clocks by the work of the model; '
-            "<code>make case</code> has more.</p>")
+            "<code>make case</code> has more.</p>" + energy(run, row_of(run, table)))
 
 
 def page(run):

@@ -31,12 +31,8 @@ def drawn(profile, scene, more):
     words = [f"SCENE={scene}", f"PROFILE={profile}", f"EFFECTS={CORE}", f"SIZE={SIZE}", *more]
     print("  RUN ", *words, flush=True)
     said("make", "--no-print-directory", "silicon", *words)
-    folder = said("make", "-s", "--no-print-directory", "sim-folder", "SIM=silicon", *words)
-    return json.loads(silicon_of(folder.split()[-1]).read_text("utf-8"))
-
-
-def silicon_of(folder):
-    return Path(folder) / "silicon.json"
+    folder = said("make", "-s", "--no-print-directory", "silicon-folder", "SIM=silicon", *words)
+    return json.loads(Path(folder.split()[-1], "silicon.json").read_text("utf-8"))
 
 
 def row(which, profile, scene, more, found):

@@ -1,7 +1,7 @@
 # fit.py - energy of events, fitted to frames of cores in standard cells
 # SPDX-License-Identifier: Apache-2.0
-"""Energy of a frame is what a clock of the idle core takes, times its clocks, and what each event of
-EVENTS takes, times its count. The weights are those of the profile PROFILE that make the sum of
+"""Energy of a frame is what a clock of the idle core takes, times its clocks, and what each event
+of EVENTS takes, times its count. The weights are those of the profile PROFILE that make the sum of
 squares of relative errors least, none below 0; another profile scales all of them alike. A clock
 costs in proportion to the LUT4eq of the core. Frames are rows of the table silicon.frames, of which
 those that are held out are in no fit."""
@@ -15,7 +15,7 @@ EVENTS = {      # name: counters that are added up, of cmodel/machine/machine.de
     "later ray": ("rays_reflected", "rays_refracted"),
 }
 PROFILE = "standard"
-WORDS = {"shadow", "reflect", "lights", "inside", "camera", "none"}     # of cores that it is told of
+WORDS = {"shadow", "reflect", "lights", "inside", "camera", "none"}     # of cores that it is for
 CLOCK, COUNTS = "idle clock", [f"{name}s" for name in EVENTS]
 
 

@@ -45,7 +45,7 @@ def wrapper(parameters):
 
 
 def main(folder, machine, frame, data, *parameters):
-    sys.path += [str(Path(name).resolve()) for name in (".", "vip")]  # cocotb hands them on
+    sys.path += [str(Path(name).resolve()) for name in (".", "tb/vip")]  # cocotb hands them on
     sources = sorted(path for path in Path("rtl").rglob("*.v") if "board" not in path.parts)
     runner = get_runner("icarus")
     top = Path(folder, "cocotb_top.v")

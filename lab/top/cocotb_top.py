@@ -1,7 +1,7 @@
 # cocotb_top.py - rt_top between the masters and slaves of cocotbext-axi, which others wrote
 # SPDX-License-Identifier: Apache-2.0
-"""Tests that cocotb_run.py runs with the agent of vip/sphaera_cocotb_top.py. MACHINE and FRAME in
-the environment name a machine file and the golden model's frame of it."""
+"""Tests that cocotb_run.py runs with the agent of tb/vip/sphaera_cocotb_top.py. MACHINE and FRAME
+in the environment name a machine file and the golden model's frame of it."""
 import os
 import random
 import struct

@@ -51,7 +51,7 @@ class Scene:
                        lights: the first 0 to 8, None: those that reach something
                        effects: "all" that the scene names, "met": those that rays of the frame meet
                        error_pixels, error_psnr: what profile auto keeps
-                       tree, axes, bih, max_prims, max_tree_depth (may be math.inf)
+                       tree, axes, bih, max_prims, max_tree_depth, bih_fit (may be math.inf)
                        background, bg_points, bg_border, bg_levels
                        traverse, filter, lod, lod_bits, least_weight
                        samples: N x N rays a pixel; the frame has N times the sides
@@ -89,7 +89,8 @@ class Scene:
 
 def read(path: PathLike, at: int = 0, strict: bool = False, *, time: Optional[float] = None,
          round: float = 0,  # pylint: disable=redefined-builtin
-         skip_unsupported: bool = False, progress: Optional[Progress] = None) -> Scene:
+         skip_unsupported: bool = False, camera: Optional[str] = None, radius: float = 0,
+         up: Optional[str] = None, progress: Optional[Progress] = None) -> Scene:
     """Reads a scene file (NFF, AFF), a molecule (PDB, mmCIF, XYZ) or points (CSV). Where there is
     no file of this name, it may be a kind of `sphaera gen`, such as "random:256".
 
@@ -98,13 +99,16 @@ def read(path: PathLike, at: int = 0, strict: bool = False, *, time: Optional[fl
     time              of AFF: the scene at this time of its own, not at a frame
     round             cones: greatest distance over the larger radius, 1e-6 to 0.5; 0: 0.005
     skip_unsupported  leave out patches instead of refusing the scene
+    camera, up        of a mesh: a camera's name or number; "x", "y" or "z"
+    radius            of points without one
     progress          called with done, all; what it returns, if true, cancels
 
     Error: no such file, or what the file says is no scene, with file, line and field."""
     with Told(progress) as told:
         options, kept = filled("sphaera_read_options", lib.sphaera_read_init, dict(
             at=at, strict=strict, timed=time is not None, time=time, round=round,
-            skip_unsupported=skip_unsupported, progress=told.pointer))
+            skip_unsupported=skip_unsupported, camera=camera, radius=radius,
+            up=up.encode() if up else None, progress=told.pointer))
         scene = Scene(made(lib.sphaera_scene_read_with, lib.sphaera_scene_free, "sphaera_scene",
                            c_text(path), options))
         del kept
@@ -155,7 +159,7 @@ def scene_of(*, spheres: Any = (), triangles: Any = (), planes: Any = (), materi
     ..._materials   [n]: rows of materials; None: the first
     lights     [n, 3], at most 8               light_colours  [n, 3]; None: 1 / sqrt(n)
     eye, at, up, angle   the camera; angle: vertical field of view, degrees
-    shift                of the picture's middle to the right and up, in heights of the picture
+    shift                of the picture's middle to the right and up, in its heights, -64 to 64
     width, height        pixels                background, ambient   colours, 0 to 1
 
     Ids are rows of the spheres, then the triangles, then the planes, less those that

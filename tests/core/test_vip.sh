@@ -17,7 +17,7 @@ files=$(sed '/^ *\/\//d' rtl/sphaera.f)
 lint() { # top module
     # shellcheck disable=SC2086  # words
     "$verilator" --lint-only --timing -Wno-fatal -Wno-lint -Wno-DECLFILENAME --top-module "$1" \
-        vip/sphaera_pkg.sv "examples/verification/$1.sv" $files
+        tb/vip/sphaera_pkg.sv "examples/verification/$1.sv" $files
 }
 for top in core_tb units_tb; do
     check "Verilator takes $top" lint $top
@@ -46,7 +46,7 @@ bench() {
     shift 3
     # shellcheck disable=SC2046  # words
     "$verilator" --binary --timing -j "${JOBS:-2}" -Wno-fatal -Wno-lint -O1 -CFLAGS -O0 \
-        --top-module "$top" -Mdir "$to" "$@" "$root/vip/sphaera_pkg.sv" \
+        --top-module "$top" -Mdir "$to" "$@" "$root/tb/vip/sphaera_pkg.sv" \
         "$root/examples/verification/$top.sv" \
         $(sed '/^ *\/\//d' rtl/sphaera.f | sed "s,rtl/,$rtl/,") -LDFLAGS \
         "-L$TMP/lib -l:libsphaera.so.$major -Wl,-rpath,$TMP/lib"

@@ -171,7 +171,7 @@ def arrays():
                                                         "light_colours": [[1, -1, 0]]}),
             (r"background: red is 7", {"background": (7, 0, 0)}),
             (r"camera: from.x is nan", {"eye": (nan, 0, 0)}),
-            (r"camera: .*angle", {"angle": 0}),
+            (r"camera: .*angle", {"angle": 0}), (r"`shift` 65 is not", {"shift": (0, 65)}),
             (r"camera: .*", {"width": 0})):
         refused(sphaera.Error, pattern, make, **words)
     refused(ValueError, r"spheres has shape \(1, 3\)", make, spheres=[[0, 0, 1]])
@@ -225,7 +225,7 @@ def options():
                   {"accel": "bih", "max_prims": 1, "max_tree_depth": 8, "bih": "listing"},
                   {"accel": "box4", "axes": "scene"}, {"least_weight": 0.5}, {"inside": True},
                   {"traverse": "first", "inside": True, "interpenetrate": True},
-                  {"samples": 2}):
+                  {"accel": "bih", "bih_fit": float("inf")}, {"samples": 2}):
         other = scene.build(**size, **words)
         assert other.registers.tolist() != plain.registers.tolist() or \
             other.memory.tolist() != plain.memory.tolist(), words
@@ -264,6 +264,8 @@ def options():
     refused(sphaera.Error, "traverse is 'slow'", machine.render, traverse="slow")
     refused(sphaera.Error, "time is for AFF", sphaera.read, PAPER5, time=1.0)
     refused(sphaera.Error, "round is 2", sphaera.read, PAPER5, round=2)
+    refused(sphaera.Error, "up is 'w'", sphaera.read, PAPER5, up="w")
+    refused(sphaera.Error, "radius is -1", sphaera.read, PAPER5, radius=-1)
 
 
 def core():

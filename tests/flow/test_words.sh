@@ -109,7 +109,7 @@ for variable in $names; do
     case $(kind_of "$variable") in "<text>"*) text="$text $variable" ;; esac
 done
 check "few variables take any text" [ "$text" = \
-    " MOVIE LIB MACROS CSV IP CORE EFFECT MUTANT B PREFIX DESTDIR" ]
+    " MOVIE CSV IP CORE EFFECT MUTANT B PREFIX DESTDIR" ]
 all_refused() { # word: all others are told, by name
     set -- "$1"
     word=$1

@@ -1,6 +1,6 @@
 # silicon.py - checks of lab/silicon: libraries, tables of memories, cells beside Icarus, a report
 # SPDX-License-Identifier: Apache-2.0
-"""usage: PYTHONPATH=. tests/lab/silicon.py read|macros|icarus|report [ARGUMENT...]
+"""usage: PYTHONPATH=. tests/lab/silicon.py read|macros|fit|icarus|report [ARGUMENT...]
 
 Each says what is wrong and ends with 1, or says nothing."""
 import ctypes
@@ -11,7 +11,8 @@ import subprocess
 import sys
 from pathlib import Path
 
-from lab.silicon import core, liberty, macros, netlist, program, report
+from lab.pages import data
+from lab.silicon import core, fit, liberty, macros, netlist, program, report
 from lab.silicon.function import Function
 
 SMALL = Path("tests/lab/small.lib")
@@ -275,5 +276,33 @@ def said(folder, lib, top, *power):
     return None
 
 
+# ---- energies of events ----
+MOST = 0.10     # that a frame outside of the fit may be off
+
+
+def energies():
+    """Weights of made frames are found again; frames of the page that no fit has seen are near."""
+    want, clock = [5.0, 1.0, 2.0, 8.0, 0.0], 3000.0
+    frames = []
+    for at in range(12):
+        counts = [float((at * step) % 7 + 1) for step in (1, 2, 3, 4, 5)]
+        scale, profile = (0.5, "draft") if at > 9 else (1.0, "standard")
+        frames.append({"fit": "in", "profile": profile, "cycles": 10.0, "idle pJ": clock, "nJ":
+                       clock / 100 + scale * sum(map(float.__mul__, want, counts)),
+                       **dict(zip(fit.COUNTS, counts))})
+    found = fit.fitted(frames, {"draft": 10000, "standard": 10000})
+    if any(abs(a - b) > 1e-9 for a, b in zip(found.weights, want)) \
+            or abs(found.scales["draft"] - 0.5) > 1e-9:
+        wrong(f"{found.weights}, {found.scales}, not {want} and half of it")
+    head, rows = data.read("silicon.frames")
+    for row in rows:
+        frame = dict(zip(head, row))
+        if frame["fit"] == "out" and abs(float(frame["off"].split()[0])) > 100 * MOST:
+            wrong(f"{frame['frame']} {frame['profile']} is off by {frame['off']}")
+    if not any(row[head.index("fit")] == "out" for row in rows):
+        wrong("no frame is held out")
+
+
 if __name__ == "__main__":
-    {"read": read, "macros": tables, "icarus": icarus, "report": said}[sys.argv[1]](*sys.argv[2:])
+    {"read": read, "fit": energies, "macros": tables, "icarus": icarus,
+     "report": said}[sys.argv[1]](*sys.argv[2:])

@@ -84,7 +84,7 @@ print(data.cell('accuracy.kinds; spheres sphereflake:3 draft; LUT4eq'))")
         asked "r['standard']['clock']['seeds'] == 5
         and r['standard']['clock']['median'] == 127.5 and r['draft']['cells']['lut4eq'] == $draft
         and abs(r['standard']['milliseconds'] - r['standard']['cycles_per_pixel'] * 5000 / 127500)
-        < 1e-9 and not r['standard']['cells']['estimated']" && ! has '~' "$TMP/p"
+        < 1e-9 and not r['standard']['cells']['estimated']" && ! has '~[0-9.]* .*~' "$TMP/p"
 }
 check "a core that was routed" known
 estimated() {
@@ -99,6 +99,21 @@ unknown() {
         has '^cells -: nobody' "$TMP/p" && has '^clock -: nobody' "$TMP/p"
 }
 check "other widths are another core" unknown
+# ---- energy: the sum of its parts; of what is in no fit nothing ----
+energies() {
+    priced scenes/sphereflake2.nff --size 100x50 &&
+        asked "all(abs(sum(row['energy']['parts'].values()) - row['energy']['nj_pixel']) < 1e-9
+        for row in p['rows'] if row['energy']) and
+        r['standard']['energy']['parts']['idle clock'] > 0 and
+        r['draft']['energy']['nj_pixel'] < r['standard']['energy']['nj_pixel']
+        < r['reference']['energy']['nj_pixel']" && has '^energy: as standard cells' "$TMP/p"
+}
+check "energy rises with width, and is the sum of its parts" energies
+none_of() { # scene
+    priced "$1" --size 32x18 && asked "not any(row.get('energy') for row in p['rows'])" &&
+        has '^energy: not known of such a core' "$TMP/p"
+}
+check "... of triangles none" none_of scenes/facets/room.nff
 # ---- the core of `make sim` ----
 own() { # scene: the core of each row is that which build asks for
     priced "$1" --size 64x36 && for profile in draft standard fine reference; do
