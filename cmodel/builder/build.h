@@ -111,6 +111,8 @@ struct sph_effect_report {
     char why[2048]; /* names the material, light or spheres; no line ends */
 };
 
+enum { SPH_TREE_WHY = 128 }; /* characters, with the 0 behind them */
+
 /* What build tells the user besides the machine. */
 struct sph_build_report {
     double grid_step;       /* scene units */
@@ -119,8 +121,8 @@ struct sph_build_report {
                                the middle of the picture an eye put nearer moves points */
     struct sph_eye eye;     /* where it is put */
     uint32_t nodes, depth;  /* of the tree: how many, on how many levels */
-    char tree_why[128];     /* empty if it was asked for */
-    int refitted;           /* the tree is that of the frame before, in new places */
+    char tree_why[SPH_TREE_WHY]; /* empty if it was asked for */
+    int refitted;                /* the tree is that of the frame before, in new places */
     double tree_cost;       /* then: its cost over that of the tree when it was built; else 1 */
     uint32_t facets, loose; /* primitives that are no spheres; of them, without bounds */
     double build_seconds, cpu_seconds;   /* all of build; of processor, of all threads */

@@ -86,7 +86,7 @@ int tool_build_scene(const struct tool_source *source, const struct sph_scene *s
     built->from_scene = 1;
     o.mips = mips;
     if (tool_frame_size(source, scene, &o, err)) return -1;
-    char tree_why[sizeof report->tree_why];
+    char tree_why[SPH_TREE_WHY];
     sph_measure_trees(scene, &o, tree_why, sizeof tree_why);
     int (*build)(const struct sph_scene *, struct sph_build_options *, int,
                  const struct sph_error_bound *, struct sph_profile_choice *, struct sph_machine *,

@@ -8,6 +8,7 @@
 
 #include "builder/emit.h"
 #include "builder/tree/choose_tree.h"
+#include "machine/records.h"
 #include "trial/cycles.h"
 #include "trial/help.h"
 #include "trial/known.h"
@@ -106,6 +107,8 @@ void sph_measure_trees(const struct sph_scene *scene, struct sph_build_options *
     why[0] = 0;
     if (o->tree != SPH_TREE_AUTO || o->traverse != SPH_BUILD_NEAREST) return;
     if (!n || n > SPH_TREES_PRIMS) return;
+    for (uint32_t i = 0; i < scene->n_facets; i++)
+        if (sph_kind_unbounded((uint32_t)scene->facets[i].kind)) return;
     for (int i = 0; i < 2; i++)
         if (cost_of(scene, o, trees[i], &clocks[i], &cells[i])) return;
     double cost[2] = {clocks[0] * cells[0], clocks[1] * cells[1]};

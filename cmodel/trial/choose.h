@@ -31,8 +31,9 @@ void sph_choose_why(const struct sph_profile_choice *choice, const struct sph_er
 /* Where no tree was asked for (SPH_TREE_AUTO): that of nodes of four spheres or of four boxes which
  * costs less for this frame, in clocks of it (cycles.h) times cells of the core that the machine
  * asks for (known.h). That of sph_tree_of() stays if the other does not cost a quarter less. *why
- * says so, one line without its end. Scenes of more than SPH_TREES_PRIMS primitives, machines that
- * cannot be built and cores of unknown cells are left to sph_build(), and *why is empty. */
+ * says so, one line without its end. Scenes of more than SPH_TREES_PRIMS primitives, or with
+ * planes, whose clocks in boxes the counters do not tell, machines that cannot be built and cores
+ * of unknown cells are left to sph_build(), and *why is empty. */
 void sph_measure_trees(const struct sph_scene *scene, struct sph_build_options *options, char *why,
                        size_t size);
 
