@@ -1,7 +1,8 @@
 # cycles.py - clocks of frames as `sphaera price` foretells them, against the RTL's
 # SPDX-License-Identifier: Apache-2.0
 """measure() simulates every row of docs/results/data/cycles.tsv, 160 x 120 pixels from memory that
-answers after 100 clocks, and writes the table anew; a new row needs its first four columns alone.
+answers after 100 clocks, or those of SCENEs alone, and writes the table anew; a new row needs its
+first four columns alone.
 check() takes the RTL's clocks from the table and tells where the model's are farther off than a
 class of scenes is allowed: some seconds. The classes stand in BOUNDS, as the tool prints them."""
 import json
@@ -45,10 +46,13 @@ def rows():
     return [dict(zip(HEAD, row)) for row in data.read(TABLE)[1]]
 
 
-def measure(tool):
+def measure(tool, *scenes):
     found = []
     for row in rows():
         key = [row[name] for name in HEAD[:4]]
+        if scenes and row["scene"] not in scenes:
+            found.append(list(row.values()))
+            continue
         clocks, (model, limit) = simulated(*key), foretold(tool, *key)
         found.append(key + [str(clocks), f"{model:.0f}", f"{model / clocks:.3f}", limit])
         print(*found[-1], sep="\t")
