@@ -136,18 +136,19 @@ static void naive_random(void **state) {
                 .ctr = {6 * uniform(&rng) - 3, 4 * uniform(&rng) - 2, 6 * uniform(&rng) - 3},
                 .rad = 0.1 + 2 * uniform(&rng) * uniform(&rng),
                 .material = (uint32_t)i % MATERIALS};
-        struct sph_scene scene = {.name = "random",
-                                  .path = "random",
-                                  .camera = {{0, 0, 8}, {0, 0, 0}, {0, 1, 0}, 40, 0, W, H},
-                                  .background = {0.1, 0.5, 0.9},
-                                  .ambient = {0.3, 0.5, 0.7},
-                                  .n_lights = 2,
-                                  .lights = {{{5, 5, 5}, {1, 0.9, 0.8}, 0},
-                                             {{-1, 3, 6 * uniform(&rng)}, {0.3, 0.4, 0.5}, 0}},
-                                  .n_materials = MATERIALS,
-                                  .n_spheres = N,
-                                  .materials = materials,
-                                  .spheres = spheres};
+        struct sph_scene scene = {
+            .name = "random",
+            .path = "random",
+            .camera = {.from = {0, 0, 8}, .up = {0, 1, 0}, .angle = 40, .width = W, .height = H},
+            .background = {0.1, 0.5, 0.9},
+            .ambient = {0.3, 0.5, 0.7},
+            .n_lights = 2,
+            .lights = {{{5, 5, 5}, {1, 0.9, 0.8}, 0},
+                       {{-1, 3, 6 * uniform(&rng)}, {0.3, 0.4, 0.5}, 0}},
+            .n_materials = MATERIALS,
+            .n_spheres = N,
+            .materials = materials,
+            .spheres = spheres};
         struct sph_build_options o = options(run % SPH_PROFILES, 1 + run % 5);
         o.least_weight = run % 2 ? (int)(SPH_LEAST_WEIGHT_MAX * uniform(&rng) / 4) : 0;
         struct sph_machine m = built(&scene, &o);
