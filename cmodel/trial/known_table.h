@@ -4,15 +4,16 @@
 /* profile, effects, pipes, LUT4eq, MULT18X18D, DP16KD, worst, median, best MHz, seeds */
 #define SPH_KNOWN_CORES \
     {"draft", "shadow+reflect2+lights3+inside", 1, 14728, 64, 91, 133.2, 133.2, 133.2, 1, 0, 0}, \
+    {"fine", "shadow+lights1+facets+camera", 1, 22531, 89, 82, 0, 0, 0, 0, 0, 0}, \
+    {"fine", "shadow+lights2+facets", 1, 22517, 89, 83, 0, 0, 0, 0, 0, 0}, \
     {"fine", "shadow+reflect2+lights3+inside", 1, 19589, 64, 99, 124.2, 124.2, 124.2, 1, 0, 0}, \
-    {"reference", "shadow+lights1+facets+camera", 1, 23984, 89, 91, 0, 0, 0, 0, 0, 0}, \
-    {"reference", "shadow+lights2+facets", 1, 23897, 89, 92, 0, 0, 0, 0, 0, 0}, \
+    {"reference", "shadow+reflect2+lights1+inside+facets+texture+spread", 1, 35118, 111, 154, 0, 0, 0, 0, 0, 0}, \
     {"reference", "shadow+reflect2+lights3+inside", 1, 20571, 64, 109, 123.3, 123.3, 123.3, 1, 0, 0}, \
     {"standard", "bih", 1, 11193, 20, 67, 0, 0, 0, 0, 0, 0}, \
     {"standard", "facets+boxes", 1, 24795, 66, 61, 0, 0, 0, 0, 0, 0}, \
     {"standard", "inside", 1, 12262, 55, 57, 0, 0, 0, 0, 0, 0}, \
     {"standard", "inside+first+interpenetrate", 1, 15213, 58, 81, 0, 0, 0, 0, 0, 0}, \
-    {"standard", "lights1+camera", 1, 13826, 59, 76, 0, 0, 0, 0, 0, 0}, \
+    {"standard", "lights1+camera", 1, 13912, 59, 76, 0, 0, 0, 0, 0, 0}, \
     {"standard", "lights1+specular+sum", 1, 17407, 63, 95, 0, 0, 0, 0, 0, 0}, \
     {"standard", "lights2", 1, 14594, 59, 77, 0, 0, 0, 0, 0, 0}, \
     {"standard", "lights2+inside", 1, 14823, 59, 78, 0, 0, 0, 0, 0, 0}, \
@@ -34,7 +35,7 @@
     {"standard", "shadow+reflect2+lights1+inside", 1, 16846, 64, 94, 0, 0, 0, 0, 0, 0}, \
     {"standard", "shadow+reflect2+lights1+inside+facets+refract+specular+sum", 1, 25471, 91, 122, 0, 0, 0, 0, 0, 0}, \
     {"standard", "shadow+reflect2+lights1+inside+facets+texture+spread", 1, 28509, 98, 136, 0, 0, 0, 0, 0, 0}, \
-    {"standard", "shadow+reflect2+lights1+inside+refract+specular+sum", 1, 21105, 71, 122, 0, 0, 0, 0, 0, 0}, \
+    {"standard", "shadow+reflect2+lights1+inside+refract+specular+sum", 1, 21287, 71, 122, 0, 0, 0, 0, 0, 0}, \
     {"standard", "shadow+reflect2+lights2", 1, 16656, 64, 94, 0, 0, 0, 0, 0, 0}, \
     {"standard", "shadow+reflect2+lights2+facets", 1, 21062, 84, 95, 0, 0, 0, 0, 0, 0}, \
     {"standard", "shadow+reflect2+lights2+inside", 1, 16920, 64, 95, 0, 0, 0, 0, 0, 0}, \
@@ -54,7 +55,6 @@
 #define SPH_KNOWN_WORDS \
     {"bih", -912, -35, 10, 0}, \
     {"boxes", 8274, -9, 4, 0}, \
-    {"camera", 87, 0, -1, 0}, \
     {"clear", 8, 0, 0, 0}, \
     {"cones", 1367, 0, 0, 0}, \
     {"facets", 4416, 20, 0, 0}, \
