@@ -117,7 +117,7 @@ GROUPS = {
         ("clock", "clocks", "CORE [CLOCKS]", "MHz of a core, or frames a second of so many clocks"),
         ("price", "price", "FOLDER SCENE", "table and picture of make price"),
         ("case", "case", "FOLDER", "a scene's case on a page: make case"),
-        ("cycles", "cycles:measure", "TOOL [SCENE...]", "clocks that price foretells, against the RTL"),
+        ("cycles", "cycles:measure", "TOOL [SCENE...]", "clocks that price tells, and the RTL"),
         ("cycles-check", "cycles:check", "TOOL", "... against those that the RTL had"),
         ("known", "known", "FILE", "cells and clocks of measured cores, for the tool"),
         ("tree-options", "tree_options", "NAME", "options of sphaera build for a tree"),

@@ -92,7 +92,7 @@ class Line(Built):
         """Objects and libraries that it is linked with."""
         return ([*sorted(glob.glob(f"{self.build}/sim/obj/bench_*.o")),
                  f"{self.build}/test/libhard.a"],
-                words_of("pkg-config", "--libs", "gmp", "mpfr", "expat"))
+                words_of("pkg-config", "--libs", "gmp", "mpfr", "expat", "zlib"))
 
     def around(self, folder, verilate, macros=(), effort="-O1", begin=""):
         """The bench around what Verilator is told to read."""

@@ -13,7 +13,7 @@ from . import run, scenes
 from ..pages.place import place
 from ..synth import results
 
-# behind, hidden_mirror and light_below: what is left out; hall: nothing is, its core alone is its own
+# of the last nothing is left out
 SCENES = ("tests/scenes/met.nff:behind", "tests/scenes/met.nff:hidden_mirror",
           "tests/scenes/met.nff:light_below", "scenes/texture/hall.nff")
 HEAD = ["scene", "", "profile", "core", "LUT4eq", "MULT", "DP16KD", "cycles a pixel",
