@@ -116,13 +116,20 @@ module rt_leaf_unit #(
     wire [SLOTW-1:0] c_slot;
     wire [255:0]     c_data;
     assign fetch_ready_o = req_ready;
+    // Lines come out of block RAM, and the keys of the cache lie in one: a register between them.
+    wire                     r_valid, r_ready;
+    wire [`RT_LINE_BITS-1:0] r_line;
+    wire [TAG-1:0]           r_tag;
+    rt_reg_slice #(.WIDTH(`RT_LINE_BITS + TAG)) u_request (
+        .clk(clk), .rst(rst), .in_valid_i(prim || v_valid), .in_ready_o(req_ready),
+        .in_data_i(prim ? {fetch_i[`RT_FETCH_LINE], fetch_i[`RT_FETCH_SLOT], 1'b0, 1'b1}
+                   : {v_line + {24'd0, whole && pick[1], whole ? pick[0] : pick[1]},
+                      v_slot, pick[0] && !whole, 1'b0}),
+        .out_valid_o(r_valid), .out_ready_i(r_ready), .out_data_o({r_line, r_tag})
+    );
     rt_cache #(.TAG(TAG), .LINES(LINES), .PENDING(SLOTS), .LINE_BITS(LINE_BITS)) u_cache (
         .clk(clk), .rst(rst), .flush_i(flush_i), .mem_lines_i(regs_i[`RT_REGS_MEM_LINES]),
-        .req_valid_i(prim || v_valid), .req_ready_o(req_ready),
-        .req_line_i(prim ? fetch_i[`RT_FETCH_LINE]
-                    : v_line + {24'd0, whole && pick[1], whole ? pick[0] : pick[1]}),
-        .req_tag_i(prim ? {fetch_i[`RT_FETCH_SLOT], 1'b0, 1'b1}
-                        : {v_slot, pick[0] && !whole, 1'b0}),
+        .req_valid_i(r_valid), .req_ready_o(r_ready), .req_line_i(r_line), .req_tag_i(r_tag),
         .rsp_valid_o(c_valid), .rsp_ready_i(c_ready), .rsp_data_o(c_data),
         .rsp_tag_o({c_slot, c_half, c_prim}), .rsp_error_o(c_error),
         .mem_req_valid_o(mem_req_valid_o), .mem_req_ready_i(mem_req_ready_i),

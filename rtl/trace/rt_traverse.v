@@ -224,7 +224,7 @@ module rt_traverse #(
     localparam VB = `RT_VISITS_BITS;
     wire             any_valid = q_next_valid || start_valid;
     wire [SLOTW-1:0] any_slot  = q_next_valid ? q_next_slot : start_slot;
-    reg              i1_valid_q, i1_fresh_q, i1_pixel_q, i2_valid_q, i2_fresh_q, i2_bad_line_q;
+    reg              i1_valid_q, i1_fresh_q, i1_pixel_q, i2_valid_q, i2_fresh_q;
     reg              i3_valid_q, i3_fresh_q, i3_bad_line_q, i3_bad_limit_q;
     reg [SLOTW-1:0]  i1_slot_q, i2_slot_q, i3_slot_q;
     reg [`RT_LINE_BITS-1:0] i2_line_q, i3_line_q;
@@ -247,14 +247,13 @@ module rt_traverse #(
         i2_line_q  <= i1_line;
         i2_ray_q   <= i1_fresh_q ? {VB{1'b0}} : ray_visits;
         i2_pixel_q <= i1_pixel_q ? {VB{1'b0}} : pixel_visits;
-        i2_bad_line_q <= i1_line >= mem_lines;
         i3_valid_q <= i2_valid_q;
         i3_fresh_q <= i2_fresh_q;
         i3_slot_q  <= i2_slot_q;
         i3_line_q  <= i2_line_q;
         i3_ray_q   <= i2_ray_q;
         i3_pixel_q <= i2_pixel_q;
-        i3_bad_line_q  <= i2_bad_line_q;
+        i3_bad_line_q  <= i2_line_q >= mem_lines;
         i3_bad_limit_q <= i2_ray_q == regs_i[`RT_REGS_VISIT_LIMIT];
         held_q     <= held_q + {3'd0, any_valid && room} - {3'd0, taken};
         if (rst) begin
