@@ -14,7 +14,7 @@ UNITS = (r"(?:MHz|fps|ms a frame|(?:frames?|rays|pixels)(?: ?/ ?s\b| (?:a|per) s
 NUMBER = r"\d[\d.]*(?: (?:to|and) \d[\d.]*)?"
 FIGURE = re.compile(rf"{NUMBER} (?:million )?{UNITS}|\bin {NUMBER} ms\b")
 HEAD = re.compile(rf"^ *\|(.*)\|\n *\|[-:| ]+\|$", re.M)
-OWN = ("clocks", "board_")  # tables of clocks that a placer gave
+OWN = ("clocks", "board_", "silicon.")  # tables of clocks that a placer or a timer gave
 
 
 def by_hand(text):
