@@ -80,10 +80,12 @@ def priced():
 
 def pairs():
     """(words, counts) of two cores that were synthesised together, in one profile."""
-    for table, profile in (("effects.costs", "standard"), ("effects.left_out", "reference")):
-        cores = [(parts(core), list(map(int, counts)))
-                 for (of, core, _), counts in cells((table,)).items() if of == profile]
-        yield from itertools.permutations(cores, 2)
+    for table in ("effects.costs", "effects.left_out"):
+        found = cells((table,))
+        for profile in sorted({of for of, _, _ in found}):
+            cores = [(parts(core), list(map(int, counts)))
+                     for (of, core, _), counts in found.items() if of == profile]
+            yield from itertools.permutations(cores, 2)
 
 
 def told(known):
