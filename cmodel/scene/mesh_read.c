@@ -109,16 +109,13 @@ static int receive(int from, void *to, size_t n) {
     return 1;
 }
 
-/* Whether what the child sent is a scene. A mesh has triangles alone. */
-static int sound(struct sph_scene *s) {
+static int sound(const struct sph_scene *s) {
     for (uint32_t i = 0; i < s->n_spheres; i++)
         if (s->spheres[i].material >= s->n_materials || s->spheres[i].texture) return 0;
-    for (uint32_t i = 0; i < s->n_facets; i++) {
-        s->facets[i].kind = SPH_TRIANGLE;
+    for (uint32_t i = 0; i < s->n_facets; i++)
         if (s->facets[i].material >= s->n_materials || s->facets[i].texture > s->n_textures ||
             s->facets[i].motion || s->facets[i].frustum)
             return 0;
-    }
     return s->n_lights >= 0 && s->n_lights <= SPH_MAX_LIGHTS;
 }
 
@@ -153,6 +150,8 @@ static int take(int from, struct sph_scene *scene, struct sph_error *err) {
             *a[i].at = NULL;
         for (int i = 0; i < ARRAYS && whole; i++)
             whole = take_array(from, &a[i]);
+        for (uint32_t i = 0; whole && i < scene->n_facets; i++)
+            scene->facets[i].kind = SPH_TRIANGLE; /* a mesh has no other */
         whole = whole && sound(scene);
     }
     free(m);

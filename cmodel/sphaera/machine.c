@@ -52,8 +52,7 @@ static int build(const struct sph_scene *scene, struct sph_api_build *b,
     if (sph_api_size(scene, b, err)) return -1;
     if (b->o.texture != SPH_OFF && sph_mips_load(scene, &mips, err)) return -1;
     b->o.mips = mips;
-    char tree_why[SPH_TREE_WHY];
-    sph_measure_trees(scene, &b->o, tree_why, sizeof tree_why);
+    sph_measure_trees(scene, &b->o, NULL, 0);
     if (b->met)
         rc = sph_build_met(scene, &b->o, any, &b->bound, &choice, &to->machine, report, err);
     else if (any)

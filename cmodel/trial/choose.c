@@ -104,7 +104,7 @@ void sph_measure_trees(const struct sph_scene *scene, struct sph_build_options *
     uint64_t n = (uint64_t)scene->n_spheres + scene->n_facets;
     double clocks[2];
     int cells[2], rule = sph_tree_of(scene, o) == SPH_TREE_BOX4;
-    why[0] = 0;
+    if (why) why[0] = 0;
     if (o->tree != SPH_TREE_AUTO || o->traverse != SPH_BUILD_NEAREST) return;
     if (!n || n > SPH_TREES_PRIMS) return;
     for (uint32_t i = 0; i < scene->n_facets; i++)
@@ -114,8 +114,10 @@ void sph_measure_trees(const struct sph_scene *scene, struct sph_build_options *
     double cost[2] = {clocks[0] * cells[0], clocks[1] * cells[1]};
     int taken = cost[!rule] < keep * cost[rule] ? !rule : rule;
     o->tree = trees[taken];
-    snprintf(why, size, "%.4g clocks a pixel in spheres, %.4g in boxes, whose core has %.2f cells",
-             clocks[0], clocks[1], (double)cells[1] / cells[0]);
+    if (why)
+        snprintf(why, size,
+                 "%.4g clocks a pixel in spheres, %.4g in boxes, whose core has %.2f cells",
+                 clocks[0], clocks[1], (double)cells[1] / cells[0]);
 }
 
 int sph_build_chosen(const struct sph_scene *scene, struct sph_build_options *o, int choose,

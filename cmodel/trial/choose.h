@@ -33,7 +33,7 @@ void sph_choose_why(const struct sph_profile_choice *choice, const struct sph_er
  * asks for (known.h). That of sph_tree_of() stays if the other does not cost a quarter less. *why
  * says so, one line without its end. Scenes of more than SPH_TREES_PRIMS primitives, or with
  * planes, whose clocks in boxes the counters do not tell, machines that cannot be built and cores
- * of unknown cells are left to sph_build(), and *why is empty. */
+ * of unknown cells are left to sph_build(), and *why is empty. why: NULL if nobody asks. */
 void sph_measure_trees(const struct sph_scene *scene, struct sph_build_options *options, char *why,
                        size_t size);
 

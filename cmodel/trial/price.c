@@ -66,11 +66,10 @@ static int measure(const struct job *j, const struct sph_profile *profile, int t
     struct sph_build_options o = *j->build;
     struct sph_error why = {""};
     struct sph_trial t;
-    char tree_why[SPH_TREE_WHY];
     r->profile = *profile;
     o.widths = &r->profile;
     o.tree = tree;
-    sph_measure_trees(j->yardstick.scene, &o, tree_why, sizeof tree_why);
+    sph_measure_trees(j->yardstick.scene, &o, NULL, 0);
     if (sph_estimate(j->yardstick.scene, &o, &r->profile, 1, &r->expected, err)) return -1;
     r->built = !(j->o->met ? measure_met(j, &o, &t, &r->expected, &why)
                            : sph_trial_measure(&j->yardstick, &o, j->o->threads, &t, &why));
