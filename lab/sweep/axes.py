@@ -12,8 +12,11 @@ sys.path.insert(0, "sim")
 import cores
 import definition
 import front
+import scene as scenes
 import variables
 from words import Wrong, lines, perhaps
+
+from ..runner import named
 
 BUILD = ["scene", "size", "profile", "samples", "accel", "tree", "max_prims", "max_tree_depth",
          "depth", "background", "levels", "traverse", "at", "build_more"]
@@ -68,8 +71,7 @@ def values_of(axis, words):
                 found += map(str, range(int(ends[1]), int(ends[2]) + 1))
                 continue
         found.append(word)
-    for value in found:
-        check(axis, value)
+    found = [check(axis, value) for value in found]
     twice = next((value for value in found if found.count(value) > 1), None)
     if twice is not None:
         raise Wrong(f"{axis}: {twice} stands there twice")
@@ -77,24 +79,26 @@ def values_of(axis, words):
 
 
 def check(axis, value):
-    """Wrong if it is no value of that axis."""
+    """A value of that axis; Wrong if it is none. A scene that is a file of somebody's own gets the
+    name that it has from the root of the tree."""
     if axis in WIDTHS:
         cores.profile(f"standard:{axis}={value}")
-        return
+        return value
     if axis in SIZES:
         cores.sizes(f"{axis}={value}")
-        return
+        return value
     if axis == "scene" and value == "protein":
-        return
+        return value
     rule = RULES[axis]
     if value == "" and rule.endswith("|"):
-        return
+        return value
     constants = dict(DEFINITION.constants, **cores.paced("reference"))
     said = ""
     for one in (r.partition("@")[0] for r in rule.split("|")):
         good, why = front.fits(one, value, constants)
         if good:
-            return
+            found = scenes.find(value) if axis == "scene" else ""
+            return value if found in (f"scenes/{value}.nff", named(value), "") else found
         said = said or why
     text, choice = variables.spoken(rule, constants)
     raise Wrong(f"{axis}: {value or '(nothing)'} "

@@ -1,29 +1,12 @@
 # command.py - `sphaera sweep`: every value of some axes with every other, as tables and plots
 # SPDX-License-Identifier: Apache-2.0
-"""usage: sphaera sweep [FILE] [--AXIS VALUE...]... [--measure NAME...] [OPTION...]
+"""usage: sphaera sweep [FILE] [--AXIS VALUE...]... [OPTION...]; `sphaera sweep --help` has the options
+       BUILD=folder python3 -m lab sweep ... is the same
 
-Measures every point of the product of its axes and writes, into a folder, sweep.csv, a row a point,
-and a plot of each figure shown. What is measured once is kept, by everything that shapes it, and
-not measured again; a sweep that was broken off goes on from there.
-
-  sphaera sweep --scene paper5 paper100 --profile draft standard --pq 11..13 --measure accuracy
-  sphaera sweep --scene random:1000 --measure cycles --pipes 1 2 4 --mem_data 64 128 --heat pipes \\
-      mem_data
-
-FILE has the same words, a line each (examples/sweeps); what is given behind it counts instead.
-
-measures: counts (model), accuracy (model and double reference), price (of `sphaera price`),
-  cycles (the core in Verilator, each pixel held against the model), cells (Yosys)
---show FIGURE...   columns that are printed and drawn; sweep.csv has all figures
---x, --lines AXIS, --panel AXIS...   of the plots; --heat X Y draws maps instead
---beside FILE      CSV: axes that tell its rows apart, figures as here; they stand beside, as
-                   FIGURE_beside: what a paper says, or the sweep.csv of another sweep
---out FOLDER       build/sweep/DIGEST, of what the sweep is
---jobs N           at once (all processors); --engine slurm: on a cluster
---list             says how many points and jobs there are, and runs nothing
---axes             says what axes there are, with their rules
-
-Exit code: 0 all is measured, 1 something is missing or failed, 2 the sweep is not understood."""
+Measures every point and writes, into a folder, sweep.csv, a row a point, and a plot of each figure
+shown. FILE: spec.py. Names of files are from the folder FROM of the environment, which is where the
+tool was called. Exit code: 0 all is measured, 1 something is missing or failed, 2 the sweep is not
+understood."""
 import hashlib
 import json
 import os
@@ -34,7 +17,7 @@ from pathlib import Path
 from . import axes, measures, plots, run, spec, table
 from .axes import Wrong
 
-OWN = {"out": "", "jobs": "", "engine": "", "tool": "", "list": None, "axes": None}  # None: no value
+OWN = {"out": "", "jobs": "", "engine": "", "list": None, "axes": None}  # None: no value
 
 
 def taken(words):
@@ -125,6 +108,7 @@ def main(words):
     if not words or words[0] in ("--help", "-h", "-?", "--usage"):
         print(__doc__)
         return 0 if words else 2
+    os.environ.setdefault("FROM", os.getcwd())
     try:
         return swept(*taken(words))
     except Wrong as why:
@@ -138,10 +122,12 @@ def swept(own, words):
         return 0
     wanted, file = spec.of_words(words)
     build = os.environ.get("BUILD") or "build"
-    tool = own.get("tool") or f"{build}/sphaera"
+    tool = f"{build}/sphaera"
     key = keys_of(tool, build)
     keys = [key(measure, point) for point in wanted.points for measure in wanted.measures]
     keys = list(dict.fromkeys(k for k in keys if isinstance(k, str)))
+    if not os.path.exists(tool):
+        raise Wrong(f"there is no {tool}: make tool")
     beside = wanted.said.get("beside", [""])[0]
     if beside:
         table.read(beside)  # before anything is run
@@ -162,7 +148,7 @@ def swept(own, words):
         columns, lost = table.put_beside(columns, made, beside)
         for row in lost:
             print(f"{beside}: no point of this sweep is {', '.join(row)}", file=sys.stderr)
-    folder = own.get("out") or f"{build}/sweep/{name}"
+    folder = spec.from_here(own["out"]) if "out" in own else f"{build}/sweep/{name}"
     os.makedirs(folder, exist_ok=True)
     intact.write(f"{folder}/sweep.csv", table.of_csv(columns, made))
     drawn = plots.everything(folder, wanted, made, figures)

@@ -96,11 +96,18 @@ def _put(into, name, values, where):
     into[name] = values
 
 
+def from_here(path):
+    """A file's name, from where the command was called."""
+    return os.path.join(os.environ.get("FROM", ""), path)
+
+
 def of_file(path):
     """Parts of a file: {name: values} each."""
     try:
-        text = Path(path).read_text(encoding="utf-8")
-    except (OSError, UnicodeError) as why:
+        text = Path(from_here(path)).read_text(encoding="utf-8")
+    except OSError as why:
+        raise Wrong(f"{path}: {why.strerror}") from None
+    except UnicodeError as why:
         raise Wrong(f"{path}: {why}") from None
     parts = [{}]
     for number, line in enumerate(text.splitlines(), 1):
@@ -121,7 +128,7 @@ def of_file(path):
                 except Wrong as why:
                     raise Wrong(f"{where}{why}") from None
             elif name == "beside":  # by where the file is
-                parts[-1][name] = [os.path.join(os.path.dirname(path), values[0])]
+                parts[-1][name] = [os.path.join(os.path.dirname(from_here(path)), values[0])]
     first, *rest = parts
     return [{**first, **part} for part in rest] or [first]
 
@@ -132,5 +139,6 @@ def of_words(words):
     parts = of_file(file) if file else [{}]
     for name, values in _pairs(words[bool(file):]):
         for part in parts:
-            _put(part, name, values, "--")
+            _put(part, name, [from_here(values[0])] if name == "beside" and values else values,
+                 "")
     return Spec(parts), file

@@ -63,7 +63,9 @@ def read(path):
     try:
         with open(path, encoding="utf-8", newline="") as f:
             lines = [line for line in f if not line.startswith("#")]
-    except (OSError, UnicodeError) as why:
+    except OSError as why:
+        raise Wrong(f"{path}: {why.strerror}") from None
+    except UnicodeError as why:
         raise Wrong(f"{path}: {why}") from None
     found = list(csv.DictReader(lines, strict=True))
     if not found:
