@@ -41,8 +41,8 @@ include make/variables.mk
 # Names in make/variables.mk; the names' values before a command.
 VARIABLES := $(shell sed -n 's/^\#\# \([A-Z_][A-Z_]*\) .*/\1/p' make/variables.mk)
 values = $(foreach v,$(1),$v=$(call quoted,$($v)))
-# What the command line or the environment has is checked, and whether `sim` and `synth` have
-# their programs.
+# What the command line or the environment has is checked, and whether goals have the programs
+# that they need.
 CHECK := $(strip $(foreach v,$(VARIABLES),$(if $(filter command environment,$(origin $v)),$v)))
 $(call as_text,$(CHECK))
 # All else that the environment has is text to whoever names it, and not what make makes of it.
@@ -56,7 +56,7 @@ else
 $(if $(filter setup,$(MAKECMDGOALS)),,$(error there is no python3 here: make setup installs it))
 endif
 ask = $(if $(front),$(if $(shell $(1) $(front) $(2) || echo wrong),$(error nothing is made)))
-ifneq ($(GIVEN)$(CHECK)$(filter sim synth,$(MAKECMDGOALS)),)
+ifneq ($(GIVEN)$(CHECK)$(filter sim synth price,$(MAKECMDGOALS)),)
 $(call ask,$(call values,$(VARIABLES)),values $(call quoted,$(GIVEN)) '$(MAKECMDGOALS)' $(CHECK))
 endif
 # What is asked for besides setup is made by a make that finds what was installed.

@@ -38,7 +38,7 @@ $B/obj/%.o: %.cpp $B/flags
 	$(call progress,CXX,$(<F))
 	@mkdir -p $(@D)
 	$(call compile_whole,$(CXX) $(CXXFLAGS) $(SHARED) \
-	    $(call pkg,--cflags OpenImageIO | sed 's/-I/-isystem /g'))
+	    $(if $(OIIO),$(call pkg,--cflags OpenImageIO | sed 's/-I/-isystem /g')))
 
 $B/asan/obj/%.o: %.c $B/flags
 	$(call progress,CC,"$(<F) sanitized")
@@ -69,7 +69,7 @@ $(VERSION_O): override CFLAGS += -DSPHAERA_RELEASE='"$(VERSION)"'
 
 # Files that ask for more than every processor of its kind has; who calls them looks whether this
 # one has it (cmodel/fast/decode.c).
-AVX2 := $(if $(findstring x86_64,$(shell $(CC) -dumpmachine)),-mavx2)
+AVX2 := $(if $(findstring x86_64,$(shell $(CC) -dumpmachine 2>/dev/null)),-mavx2)
 $B/obj/cmodel/fast/%_avx2.o $B/asan/obj/cmodel/fast/%_avx2.o: override CFLAGS += $(AVX2)
 $B/clang/obj/cmodel/fast/%_avx2.o: override CLANG_FLAGS += $(AVX2)
 

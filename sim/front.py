@@ -8,7 +8,7 @@
 
 values: says on stderr what is wrong with the values of the NAMEs in the environment, by the rules
 of make/variables.mk, and which of GIVEN, names of a command line, make does not know; with the
-nearest right word. If sim or synth is among the GOALS, the simulator or Yosys has to be there.
+nearest right word. What GOALS need has to be there: simulator, Yosys, gnuplot.
 goals: says which of GOALS are no target of the MAKEFILEs; one with a slash is a file, which make
 looks for itself.
 suites: says that no SUITE has ONLY in its name, and which one may be meant.
@@ -24,6 +24,8 @@ from words import Wrong, nearest, perhaps
 
 PROGRAMS = {"icarus": "iverilog", "cxxrtl": "yosys", "ecp5": "yosys", "xc7": "yosys",
             "silicon": "yosys"}
+
+NEEDS = {"synth": "yosys", "price": "gnuplot"}
 
 
 # ---- kinds of values: "" if one fits, else what is wrong ----
@@ -171,8 +173,9 @@ def values(given, goals, *names):
     if "sim" in goals and not is_there(program):
         needs = "synth" if program == "yosys" else "sim"
         raise Wrong(f"SIM={simulator}: this simulator is not installed: make setup {needs}")
-    if "synth" in goals and not os.environ.get("YOSYS") and not is_there("yosys"):
-        raise Wrong("Yosys is not installed: make setup synth")
+    for goal in set(NEEDS).intersection(goals):
+        if not is_there(NEEDS[goal]) and not (goal == "synth" and os.environ.get("YOSYS")):
+            raise Wrong(f"{NEEDS[goal]} is not installed: make setup {goal}")
 
 
 # ---- goals and suites ----
