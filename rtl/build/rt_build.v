@@ -128,7 +128,7 @@ module rt_build #(
         .clear_i(start_i && !busy_o), .ready_o(sort_ready),
         .key_valid_i(key_q[1]), .key_i(key), .sort_i(state_q == SORT), .count_i(count),
         .done_o(sorted),
-        .a_en_i(chain_read || a_read), .a_place_i(chain_read ? chain_place : a_place),
+        .a_en_i(chain_read || a_read), .a_copy_i(chain_read), .a_place_i(chain_read ? chain_place : a_place),
         .a_id_o(id_a),
         .b_en_i(b_read), .b_place_i(b_place), .b_id_o(id_b)
     );
@@ -172,10 +172,18 @@ module rt_build #(
         .node_valid_o(node_in), .node_ready_i(node_room), .node_o(node_word),
         .child_valid_o(child_valid), .child_ready_i(child_ready), .child_o(child)
     );
-    wire          heads, head_take;
-    rt_fifo #(.WIDTH(2*LB + 6), .DEPTH(16)) u_heads (
+    // runs differ in length: many children may wait
+    wire          run_valid, run_ready;
+    wire [2*AB:0] run;
+    rt_fifo #(.WIDTH(2*AB + 1), .DEPTH(64)) u_children (
         .clk(clk), .rst(rst),
-        .in_valid_i(node_in), .in_ready_o(node_room), .in_data_i(node_word),
+        .in_valid_i(child_valid && child_ready), .in_ready_o(child_ready), .in_data_i(child),
+        .out_valid_o(run_valid), .out_ready_i(run_ready), .out_data_o(run)
+    );
+    wire          heads, head_take;
+    rt_fifo #(.WIDTH(2*LB + 6), .DEPTH(32)) u_heads (
+        .clk(clk), .rst(rst),
+        .in_valid_i(node_in && node_room), .in_ready_o(node_room), .in_data_i(node_word),
         .out_valid_o(heads), .out_ready_i(head_take), .out_data_o(head)
     );
     wire          done_valid, done_take;
@@ -184,7 +192,7 @@ module rt_build #(
     wire [4*W+AB:0] done_leaf;
     rt_build_bound #(.W(W), .FW(FW), .AB(AB)) u_bound (
         .clk(clk), .rst(rst),
-        .child_valid_i(child_valid), .child_ready_o(child_ready), .child_i(child),
+        .child_valid_i(run_valid), .child_ready_o(run_ready), .child_i(run),
         .a_read_o(a_read), .a_place_o(a_place), .a_leaf_i(leaf_a[4*W-1:0]),
         .b_read_o(b_read), .b_place_o(b_place), .b_leaf_i(leaf_b[4*W-1:0]),
         .b_mark_i({leaf_b[4*W], id_b_q}),

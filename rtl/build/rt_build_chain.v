@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //   behind: .. q p | x .. ahead, then spheres that nobody has looked at
 // If the box around q and p is no larger than that around p and x, q and p are joined and become x;
-// if it is, x is put behind, where it is the next p. A step takes 3 clocks: box around p and x,
-// its size, what is done. n spheres take 3n steps at most. p, q, x are registers; what is below
-// them stands in one memory, `behind` from its start up, `ahead` from its end down.
+// if it is, x is put behind, where it is the next p. A step takes 2 clocks: the edges of the box
+// around p and x, then what is done. n spheres take 3n steps at most. p, q, x are registers; what
+// is below them stands in one memory, `behind` from its start up, `ahead` from its end down.
 // Model: sph_bt_chain() in cmodel/build/chain.c
 `timescale 1ns / 1ps
 `default_nettype none
@@ -49,44 +49,49 @@ module rt_build_chain #(
             end
         end
     endfunction
-    wire [6*BW-1:0] leaf_box;
-    genvar i;
-    generate
-        for (i = 0; i < 3; i = i + 1) begin : g_axis
-            wire [BW-1:0] centre = {{2{leaf_i[W*i + W - 1]}}, leaf_i[W*i +: W]};
-            wire [BW-1:0] radius = {2'b00, leaf_i[3*W +: W]};
-            assign leaf_box[BW*i +: BW]     = centre - radius;
-            assign leaf_box[BW*(3+i) +: BW] = centre + radius;
-        end
-    endgenerate
-
-    localparam [1:0] IDLE = 2'd0, JOIN = 2'd1, ADD = 2'd2, ACT = 2'd3;
+    localparam [1:0] IDLE = 2'd0, EDGES = 2'd1, ACT = 2'd2;
     reg  [1:0]     state_q;
     reg  [CW-1:0]  p_q, q_q, x_q;
     reg            any_q;                    // x is there
     reg  [SB:0]    behind_q;                 // with p and q
     reg  [SB-1:0]  ahead_q;                  // without x
-    reg  [6*BW-1:0] both_q;                  // around p and x
-    reg  [SW-1:0]  size_q;
+    reg  [BW-1:0]  edge_q [0:2];             // of the box around p and x
+    wire [SW-1:0]  size = {{(SW-BW){1'b0}}, edge_q[0]} + {{(SW-BW){1'b0}}, edge_q[1]} +
+                          {{(SW-BW){1'b0}}, edge_q[2]};
     reg  [AB:0]    taken_q;                  // spheres that are or were x
     reg            refill_q;                 // q is to be read
     wire           act  = state_q == ACT;
     wire           two  = behind_q > 1;
     wire           full = x_q[LEAF] && behind_q == `RT_BUILD_STACK;
-    wire           merge = act && two && (!any_q || p_q[SIZE +: SW] <= size_q || full);
+    wire           merge = act && two && (!any_q || p_q[SIZE +: SW] <= size || full);
     wire           push = act && !merge && any_q;
     wire           wait_x = state_q != IDLE && !any_q && taken_q != count_i;
 
-    // ---- the next sphere, read ahead ----
+    // ---- the next spheres, read ahead: at most four that are asked for and not yet x ----
     reg  [AB:0]    asked_q;                  // places asked for
     reg  [1:0]     coming_q;                 // asked for a clock ago, two clocks ago
-    reg  [CW-1:0]  leaf_q;
-    reg            leaf_valid_q;
-    wire           use_leaf = leaf_valid_q && (wait_x || (push && ahead_q == 0));
-    assign read_o  = state_q != IDLE && asked_q != count_i && coming_q == 2'd0 &&
-                     (!leaf_valid_q || use_leaf);
+    wire [AB:0]    ahead_of = asked_q - taken_q;
+    wire           leaf_valid;
+    wire [4*W-1:0] leaf;
+    wire           use_leaf = leaf_valid && (wait_x || (push && ahead_q == 0));
+    wire           leaf_room;                // always, by ahead_of
+    rt_fifo #(.WIDTH(4*W), .DEPTH(4)) u_leaves (
+        .clk(clk), .rst(rst || start_i),
+        .in_valid_i(coming_q[1]), .in_ready_o(leaf_room), .in_data_i(leaf_i),
+        .out_valid_o(leaf_valid), .out_ready_i(use_leaf), .out_data_o(leaf)
+    );
+    assign read_o  = state_q != IDLE && asked_q != count_i && ahead_of < 4;
     assign place_o = asked_q[AB-1:0];
-    wire [AB-1:0]  came = asked_q[AB-1:0] - 1'b1; // one is on its way
+    wire [6*BW-1:0] leaf_box;
+    genvar i;
+    generate
+        for (i = 0; i < 3; i = i + 1) begin : g_axis
+            wire [BW-1:0] centre = {{2{leaf[W*i + W - 1]}}, leaf[W*i +: W]};
+            wire [BW-1:0] radius = {2'b00, leaf[3*W +: W]};
+            assign leaf_box[BW*i +: BW]     = centre - radius;
+            assign leaf_box[BW*(3+i) +: BW] = centre + radius;
+        end
+    endgenerate
 
     // ---- clusters that wait ----
     wire [SB-1:0]  low  = behind_q[SB-1:0];
@@ -107,25 +112,21 @@ module rt_build_chain #(
     assign pair_data_o = {p_q[SIZE +: SW], p_q[NUMBER +: AB], q_q[NUMBER +: AB]};
     assign root_o      = p_q[NUMBER +: AB];
 
-    wire [SW-1:0] edge_x = {{(SW-BW){1'b0}}, both_q[BW*3 +: BW] - both_q[BW*0 +: BW]};
-    wire [SW-1:0] edge_y = {{(SW-BW){1'b0}}, both_q[BW*4 +: BW] - both_q[BW*1 +: BW]};
-    wire [SW-1:0] edge_z = {{(SW-BW){1'b0}}, both_q[BW*5 +: BW] - both_q[BW*2 +: BW]};
+    wire [6*BW-1:0] both = around(p_q[6*BW-1:0], x_q[6*BW-1:0]);
     always @(posedge clk) begin
-        both_q   <= around(p_q[6*BW-1:0], x_q[6*BW-1:0]);
-        size_q   <= edge_x + edge_y + edge_z;
+        edge_q[0] <= both[BW*3 +: BW] - both[BW*0 +: BW];
+        edge_q[1] <= both[BW*4 +: BW] - both[BW*1 +: BW];
+        edge_q[2] <= both[BW*5 +: BW] - both[BW*2 +: BW];
         refill_q <= merge && behind_q > 3;
         done_o   <= 1'b0;
         coming_q <= {coming_q[0], read_o};
         if (read_o) asked_q <= asked_q + 1'b1;
-        if (coming_q[1]) leaf_q <= {{SW{1'b0}}, 1'b1, came, came, leaf_box};
-        if (coming_q[1] || use_leaf) leaf_valid_q <= coming_q[1];
         if (use_leaf) taken_q <= taken_q + 1'b1;
         if (refill_q) q_q <= popped;
         case (state_q)
-            JOIN: state_q <= wait_x ? JOIN : ADD;
-            ADD:  state_q <= ACT;
+            EDGES: state_q <= wait_x ? EDGES : ACT;
             ACT: begin
-                state_q <= JOIN;
+                state_q <= EDGES;
                 if (!two && !any_q) begin
                     state_q <= IDLE;
                     done_o  <= 1'b1;
@@ -143,24 +144,23 @@ module rt_build_chain #(
         end
         if (push) begin
             q_q      <= p_q;
-            p_q      <= {size_q, x_q[SIZE-1:0]};
+            p_q      <= {size, x_q[SIZE-1:0]};
             behind_q <= behind_q + 1'b1;
             any_q    <= ahead_q != 0;
             x_q      <= popped;
             if (ahead_q != 0) ahead_q <= ahead_q - 1'b1;
         end
         if (use_leaf) begin
-            x_q   <= leaf_q;
+            x_q   <= {{SW{1'b0}}, 1'b1, taken_q[AB-1:0], taken_q[AB-1:0], leaf_box};
             any_q <= 1'b1;
         end
         if (start_i) begin
-            state_q  <= JOIN;
+            state_q  <= EDGES;
             any_q    <= 1'b0;
             behind_q <= {(SB+1){1'b0}};
             ahead_q  <= {SB{1'b0}};
             taken_q  <= {(AB+1){1'b0}};
             asked_q  <= {(AB+1){1'b0}};
-            leaf_valid_q <= 1'b0;
             coming_q <= 2'd0;
         end
         if (rst) begin
@@ -168,5 +168,6 @@ module rt_build_chain #(
             done_o  <= 1'b0;
         end
     end
+    wire unused = &{1'b0, leaf_room};
 endmodule
 `default_nettype wire

@@ -121,6 +121,8 @@ module rt_build_nodes #(
     wire [AB-1:0] beyond    = (top_last - top_first) >> {left, 1'b0};
 
     // ---- control ----
+    wire [3:0]    halves  = (cut != first_q[most] ? 4'd1 << most : 4'd0) |
+                            (cut + 1'b1 != last_q[most] ? 4'd1 << added : 4'd0);
     wire [1:0]    reads   = lowest(read_q);
     wire [2:0]    inners  = number_of(inner);
     wire [1:0]    highest = inners[1:0] - 1'b1; // slot of the last
@@ -158,8 +160,8 @@ module rt_build_nodes #(
                 last_q[added]   <= last_q[most];
                 number_q[added] <= right_q[most];
                 runs_q          <= runs_q + 1'b1;
-                read_q          <= 4'd1 << most | 4'd1 << added;
-                state_q         <= &added ? OPEN : READ;
+                read_q          <= halves;
+                state_q         <= &added || halves == 4'd0 ? OPEN : READ;
             end else begin
                 out_q     <= inner;
                 push_q    <= inner;

@@ -1,9 +1,10 @@
 // rt_build_sort.v - numbers of spheres in the order of their keys
 // SPDX-License-Identifier: Apache-2.0
-//   key, id --> bank 0 --> [digit: place of its next one] --> bank 1 --> .. --> bank 0, copied to 1
+//   key, id --> bank 0 --> [digit: place of its next one] --> bank 1 --> .. --> bank 0
 // A radix sort, low digits first: each pass moves a word a clock from one bank to the other, and
 // counts the next digit of what it moves. Places of a pass are sums of the counts of smaller
-// digits. n words take (DIGITS + 1) * n + 64 * (DIGITS + 1) clocks after their last one came in.
+// digits. n words take DIGITS * n + 64 * DIGITS clocks after their last one came in. What is read
+// first, place by place, is copied to bank 1, so that there are two readers afterwards.
 // Model: sph_bt_order() in cmodel/build/order.c
 `timescale 1ns / 1ps
 `default_nettype none
@@ -20,9 +21,10 @@ module rt_build_sort #(
     input  wire [3*`RT_BUILD_AXIS-1:0] key_i,
     input  wire          sort_i,             // they were the last
     input  wire [AB:0]   count_i,            // spheres
-    output reg           done_o,             // both banks hold the order
+    output reg           done_o,             // bank 0 holds the order
     // places of the order, a clock after their number; two readers
     input  wire          a_en_i,
+    input  wire          a_copy_i,           // for the second reader, too
     input  wire [AB-1:0] a_place_i,
     output wire [AB-1:0] a_id_o,
     input  wire          b_en_i,
@@ -34,7 +36,7 @@ module rt_build_sort #(
     localparam DIGITS = KEY / DB;
     localparam PB     = $clog2(DIGITS + 1);
     localparam [PB-1:0] LAST = DIGITS[PB-1:0] - 1'b1;
-    localparam [2:0] IDLE = 3'd0, CLEAR = 3'd1, FILL = 3'd2, SUMS = 3'd3, MOVE = 3'd4, COPY = 3'd5;
+    localparam [2:0] IDLE = 3'd0, CLEAR = 3'd1, FILL = 3'd2, SUMS = 3'd3, MOVE = 3'd4;
 
     reg  [2:0]    state_q;
     reg  [PB-1:0] pass_q;                    // the digit that words are moved by
@@ -42,9 +44,10 @@ module rt_build_sort #(
     reg  [AB:0]   sum_q;                     // words of smaller digits
     reg  [AB:0]   read_q;                    // words read
     reg           moved_q;                   // a word was read in the last clock
-    reg  [AB:0]   write_q;                   // words filled or copied
+    reg  [AB-1:0] write_q;                   // of FILL: the next one
+    reg           copy_q;                    // what was read in the last clock is copied
+    reg  [AB-1:0] copied_q;
     wire          moving  = state_q == MOVE;
-    wire          copying = state_q == COPY;
     wire          more    = read_q != count_i;
     assign ready_o = state_q == FILL;
 
@@ -59,16 +62,16 @@ module rt_build_sort #(
     rt_slot_ram #(.WIDTH(KEY + AB), .SLOTS(1 << AB), .OLD(0)) u_bank0 (
         .clk(clk),
         .wr_en_i(key_valid_i || (put && from1)),
-        .wr_addr_i(key_valid_i ? write_q[AB-1:0] : place[AB-1:0]),
-        .wr_data_i(key_valid_i ? {key_i, write_q[AB-1:0]} : word),
-        .rd_en_i(moving ? !from1 && more : copying ? more : a_en_i),
-        .rd_addr_i(moving || copying ? read_q[AB-1:0] : a_place_i),
+        .wr_addr_i(key_valid_i ? write_q : place[AB-1:0]),
+        .wr_data_i(key_valid_i ? {key_i, write_q} : word),
+        .rd_en_i(moving ? !from1 && more : a_en_i),
+        .rd_addr_i(moving ? read_q[AB-1:0] : a_place_i),
         .rd_data_o(word0)
     );
     rt_slot_ram #(.WIDTH(KEY + AB), .SLOTS(1 << AB), .OLD(0)) u_bank1 (
         .clk(clk),
-        .wr_en_i((put && !from1) || (copying && moved_q)),
-        .wr_addr_i(copying ? write_q[AB-1:0] : place[AB-1:0]),
+        .wr_en_i((put && !from1) || copy_q),
+        .wr_addr_i(copy_q ? copied_q : place[AB-1:0]),
         .wr_data_i(word0),
         .rd_en_i(moving ? from1 && more : b_en_i),
         .rd_addr_i(moving ? read_q[AB-1:0] : b_place_i),
@@ -101,9 +104,11 @@ module rt_build_sort #(
     );
 
     always @(posedge clk) begin
-        moved_q <= (moving || copying) && more;
-        if ((moving || copying) && more) read_q <= read_q + 1'b1;
-        if (key_valid_i || (copying && moved_q)) write_q <= write_q + 1'b1;
+        copy_q   <= a_en_i && a_copy_i;
+        copied_q <= a_place_i;
+        moved_q  <= moving && more;
+        if (moving && more) read_q <= read_q + 1'b1;
+        if (key_valid_i) write_q <= write_q + 1'b1;
         if (sweep) digit_q <= digit_q + 1'b1;
         if (summing) sum_q <= sum_q + count;
         done_o <= 1'b0;
@@ -121,27 +126,23 @@ module rt_build_sort #(
             MOVE: if (!more && !moved_q) begin
                 pass_q  <= pass_q + 1'b1;
                 sum_q   <= {(AB+1){1'b0}};
-                read_q  <= {(AB+1){1'b0}};
-                write_q <= {(AB+1){1'b0}};
-                state_q <= pass_q == LAST ? COPY : SUMS;
-            end
-            COPY: if (!more && !moved_q) begin
-                done_o  <= 1'b1;
-                state_q <= IDLE;
+                state_q <= pass_q == LAST ? IDLE : SUMS;
+                done_o  <= pass_q == LAST;
             end
             default: ;
         endcase
         if (clear_i) begin
             state_q <= CLEAR;
             digit_q <= {DB{1'b0}};
-            write_q <= {(AB+1){1'b0}};
+            write_q <= {AB{1'b0}};
         end
         if (rst) begin
             state_q <= IDLE;
             moved_q <= 1'b0;
+            copy_q  <= 1'b0;
             done_o  <= 1'b0;
         end
     end
-    wire unused = &{1'b0, place[AB], write_q[AB]};
+    wire unused = &{1'b0, place[AB]};
 endmodule
 `default_nettype wire
