@@ -3,7 +3,8 @@
 // The numbers of rt_across, with eight multipliers:
 //   1 u_m | 2 u_m^2 | 3 and 4 table | 5 slope | 6 r | 7 u_b*r, u_a*r | 8 p | 9 u_m*p, u*p |
 //   10 q_a, q_b, sum | 11 q_m
-// A stage without a ray keeps what it has, so that nothing behind it switches. Latency 11, a ray a clock.
+// A stage without a ray keeps what it has, so that nothing behind it switches.
+// Latency 11, a ray a clock.
 // Model: sph_across() in cmodel/trace/setup.c
 `timescale 1ns / 1ps
 `default_nettype none

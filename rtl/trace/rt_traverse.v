@@ -376,7 +376,8 @@ module rt_traverse #(
     wire [3:0] f_hit     = f_kill ? 4'd0 : f_pass & f_present;
     // Equal depths are put in the order of the node; the smallest is below every limit.
     rt_sort u_sort (
-        .clk(clk), .in_valid_i(f_valid), .hit_i(f_hit & f_inner), .near_i(f_order ? {4{16'h8000}} : f_near),
+        .clk(clk), .in_valid_i(f_valid), .hit_i(f_hit & f_inner),
+        .near_i(f_order ? {4{16'h8000}} : f_near),
         .count_o(found_o[`RT_FOUND_COUNT]), .list_o(found_o[`RT_FOUND_LIST])
     );
     rt_stages #(.WIDTH(DW), .CYCLES(1)) u_side_1 (
