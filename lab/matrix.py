@@ -1,6 +1,6 @@
 # matrix.py - releases of systems, each in a root of its own: what a user does there, `make matrix`
 # SPDX-License-Identifier: Apache-2.0
-"""debootstrap makes a root of each release from the archive that apt of this machine knows, and
+"""debootstrap makes a root of each release from the archive that apt of this machine knows;
 Containerfile says what is done in it first. FOLDER/SUITE.base keeps the root as it was made,
 FOLDER/SUITE is the copy in which the steps run, FOLDER/SUITE.log has what they said, and
 FOLDER/SUITE.json the column of the table. A release of which apt knows no archive is named and
@@ -72,7 +72,8 @@ class Root:
                 subprocess.run(["debootstrap", "--variant=minbase", system.suite, new,
                                 archive(system.label)], check=True, stdout=log, stderr=log)
             new.rename(base)
-        shutil.rmtree(self.path, ignore_errors=True)
+        if self.path.exists():
+            shutil.rmtree(self.path)
         subprocess.run(["cp", "-a", "--reflink=auto", base, self.path], check=True)
         shutil.rmtree(self.path / "var/lib/apt/lists")  # as in an image of a container
         for name in "/etc/resolv.conf", ENVIRONMENT["PIP_CERT"]:
