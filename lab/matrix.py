@@ -168,13 +168,13 @@ def table(folder):
 
 
 def main(folder, page, *names):
-    if os.geteuid() or not shutil.which("debootstrap"):
-        sys.exit("make matrix: it makes roots of other releases, as root, by debootstrap: "
-                 "make matrix-setup")
     suites = {system.suite: system for system in SYSTEMS}
     for name in names:
         if name not in suites:
-            sys.exit(f"make matrix: there is no {name}; there are {', '.join(suites)}")
+            sys.exit(f"matrix: there is no {name}; there are {', '.join(suites)}")
+    if os.geteuid() or not shutil.which("debootstrap"):
+        sys.exit("matrix: roots of other releases are made as root, by debootstrap: "
+                 "make matrix-setup")
     Path(folder).mkdir(parents=True, exist_ok=True)
     good = True
     for name in names or suites:
