@@ -43,7 +43,8 @@ says() { # words; the command fails with exit code 1 and says them
     fails 1 "$words" "$@"
     check "... in words" grep -q "$words" "$TMP/err"
 }
-says "needs OpenImageIO (make images-setup)" "$tool" render "$root/scenes/texture/kitchen.nff" --size 16x9 -o x.png
+says "needs OpenImageIO (make images-setup)" "$tool" render "$root/scenes/texture/kitchen.nff" \
+    --size 16x9 -o x.png
 says "m.obj: meshes are read by assimp, without which this was built" "$tool" render m.obj -o x.png
 check "nothing is written" [ ! -e x.png ]
 done_testing
