@@ -125,9 +125,11 @@ GROUPS = {
     "jobs": (
         ("jobs", "jobs.run", "ENGINE LIST",
          "runs a list of jobs here (make) or on a cluster (slurm)"),
-        ("study-plan", "study.plan", "--short --kinds=KIND,... TOOL BUILD RESULTS LIST",
+        ("sweep", "sweep.command", "...", "every value of some axes with every other: sphaera sweep"),
+        ("sweep-job", "sweep.measures", "TOOL BUILD RESULTS KEY", "a point of it"),
+        ("study-plan", "study.experiment:plan",
+         "--short --measures=MEASURE,... TOOL BUILD RESULTS LIST",
          "jobs of the study that have no result"),
-        ("study-job", "study.run", "TOOL BUILD RESULTS KEY", "one of them"),
         ("accuracy-page", "study.page", "--only-tables PAGE RESULTS FOLDER [TOOL]",
          "what accuracy costs"),
         ("study-times", "study.times", "FOLDER", "... as a plot, in milliseconds"),
