@@ -15,8 +15,8 @@ from collections import namedtuple
 from pathlib import Path
 
 from . import intact
-from .pages import measured
 from .pages.place import place
+from .runner import said as said_by
 
 System = namedtuple("System", "name label suite")
 SYSTEMS = [System("Debian 12", "Debian", "bookworm"), System("Debian 13", "Debian", "trixie"),
@@ -52,10 +52,8 @@ ENVIRONMENT = {"PATH": "/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:
 
 def archive(label):
     """Where this machine's apt has packages of a system from; "" if from nowhere."""
-    said = subprocess.run(["apt-get", "indextargets", "--format", "$(LABEL) $(SITE)"], check=True,
-                          stdout=subprocess.PIPE, text=True).stdout
-    return next((line.split(" ", 1)[1] for line in said.splitlines()
-                 if line.startswith(label + " ")), "")
+    known = said_by("apt-get", "indextargets", "--format", "$(LABEL) $(SITE)").splitlines()
+    return next((line.split(" ", 1)[1] for line in known if line.startswith(label + " ")), "")
 
 
 class Root:
@@ -69,8 +67,10 @@ class Root:
             new = Path(folder, system.suite + ".whole")
             shutil.rmtree(new, ignore_errors=True)
             with open(self.log, "a", encoding="utf-8") as log:
-                subprocess.run(["debootstrap", "--variant=minbase", system.suite, new,
-                                archive(system.label)], check=True, stdout=log, stderr=log)
+                made = subprocess.run(["debootstrap", "--variant=minbase", system.suite, new,
+                                       archive(system.label)], check=False, stdout=log, stderr=log)
+            if made.returncode:
+                sys.exit(f"matrix: debootstrap makes no root of {system.name}: {self.log}")
             new.rename(base)
         if self.path.exists():
             shutil.rmtree(self.path)
@@ -127,6 +127,7 @@ def versions(root):
 
 def column(root):
     """What a release's column of the table has: row, cell; whether all went well."""
+    commit = said_by("git", "describe", "--always", "--dirty=+", "--exclude=*").strip()
     root.built()
     before = root.run("dpkg-query -W | wc -l")[1].strip()
     cells, good = {}, True
@@ -149,7 +150,7 @@ def column(root):
             print(*said.splitlines()[-12:], sep="\n", flush=True)
     newest = re.search(r"Yosys (\d+[.]\d+)", root.run(f"{NEWEST} -V")[1])
     found = versions(root)
-    return {"commit": measured.commit()[0], **{TOOLS[tool]: found[tool] for tool in TOOLS},
+    return {"commit": commit, **{TOOLS[tool]: found[tool] for tool in TOOLS},
             "Yosys of PyPI": newest[1] if newest else "none", **cells}, good
 
 
