@@ -1,8 +1,8 @@
 // f_engine.v - stands for rt_engine in proofs: whatever it does, it does nothing while it is idle
 // SPDX-License-Identifier: Apache-2.0
-// Idle: no slot is used, nor was one taken in the clock before. Then no pixel leaves, nothing counts,
-// nothing is wrong, and a line is asked for only if one was in the clock before. rt_core stops a
-// simulation in which an engine breaks this. Lines are taken at any time.
+// Idle: no slot is used, nor was one taken in the clock before. Then no pixel leaves, nothing is
+// counted, nothing is wrong, and a line is asked for only if one was in the clock before. rt_core
+// stops a simulation in which an engine breaks this. Lines are taken at any time.
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
