@@ -192,6 +192,8 @@ GROUPS = {
         ("litex-sim", "litex.sim", "FOLDER MACHINE NAME=VALUE...",
          "LiteX's simulator as the board"),
         ("litex-check", "litex.check", "LOG MACHINE FRAME", "what it drew"),
+        ("matrix", "matrix", "FOLDER PAGE [SUITE...]",
+         "releases of systems in roots of their own: make matrix"),
         ("notebook", "notebook", "--write FILE", "a notebook's outputs are what is stored"),
         ("povray", "checks.povray", "TOOL FOLDER TABLE", "the reference against POV-Ray's pixels"),
         ("truth-scenes", "truth.measure", "TOOL FOLDER [NAME...]",

@@ -167,7 +167,7 @@ static int decode(struct job *j, struct sph_fast *f) {
 static int known(const struct sph_machine *m) {
     int tree = m->regs[SPH_REG_TREE];
     return sph_machine_bih(m) || tree == SPH_TREE_PAPER || tree == SPH_TREE_BALANCED ||
-           tree == SPH_TREE_REINSERTED || tree == SPH_TREE_BOX4;
+           tree == SPH_TREE_REINSERTED || tree == SPH_TREE_BOX4 || tree == SPH_TREE_HW;
 }
 
 /* Whether the registers of a BIH let a ray start, as in sph_bih_walk(). */
