@@ -194,8 +194,9 @@ module rt_core #(
     wire             working = walk_busy || e_busy != 0 || mux_valid_q;
     localparam SB = $clog2(PLACES + 6);
     localparam [31:0] WAIT = PLACES + 5;
-    reg [SB-1:0]     settle_q;                       // cycles until the counters are complete
-    assign busy_o = working || settle_q != {SB{1'b0}} || start_q || start_two_q;
+    // cycles until the counters are complete: from the clock of go on, before any work begins
+    reg [SB-1:0]     settle_q;
+    assign busy_o = settle_q != {SB{1'b0}} || start_q || start_two_q;
     always @(posedge clk) begin
         if (working || go) settle_q <= WAIT[SB-1:0];
         else if (settle_q != {SB{1'b0}}) settle_q <= settle_q - 1'b1;
