@@ -47,6 +47,8 @@ EXPERIMENTS = [Experiment(*row) for row in (
      ["trees TOOL BUILD/trees docs/results/trees.md"]),
     ("swept", "what the papers fix untried, tried: docs/results/trees.md; a minute",
      ["swept TOOL BUILD/swept docs/results/trees.md"]),
+    ("order", "an order of children of one's own: docs/design/extending.md; two minutes",
+     ["order:measure TOOL BUILD/order", "order docs/design/extending.md BUILD/order"]),
     ("kinds", "kinds of trees beside each other, a kd-tree too: docs/results/trees.md",
      ["trees:kinds TOOL BUILD/trees docs/results/trees.md"]),
     ("ray-timing", "a pixel's rays, clock by clock: docs/pictures/ray_timing.svg; a minute",
@@ -125,7 +127,7 @@ GROUPS = {
     "jobs": (
         ("jobs", "jobs.run", "ENGINE LIST",
          "runs a list of jobs here (make) or on a cluster (slurm)"),
-        ("sweep", "sweep.command", "...", "every value of some axes with every other: sphaera sweep"),
+        ("sweep", "sweep.command", "...", "every value of some axes with every other"),
         ("sweep-job", "sweep.measures", "TOOL BUILD RESULTS KEY", "a point of it"),
         ("study-plan", "study.experiment:plan",
          "--short --measures=MEASURE,... TOOL BUILD RESULTS LIST",

@@ -16,6 +16,7 @@ from ..pages import fill
 from ..synth import families
 from . import page, points, seeds, times
 
+
 def chosen(short=False, measures=None):
     """Keys of the jobs."""
     wanted = (measures or os.environ.get("KINDS") or ",".join(axes.SHAPES)).split(",")
