@@ -77,9 +77,9 @@ class Root:
             shutil.rmtree(self.path)
         subprocess.run(["cp", "-a", "--reflink=auto", base, self.path], check=True)
         shutil.rmtree(self.path / "var/lib/apt/lists")  # as in an image of a container
-        for name, to in ("/etc/resolv.conf", "etc/resolv.conf"), (CERTIFICATES, "root/certificates"):
+        for name, to in ("/etc/resolv.conf", ""), (CERTIFICATES, ENVIRONMENT["PIP_CERT"]):
             if Path(name).exists():
-                shutil.copyfile(name, self.path / to)
+                shutil.copyfile(name, self.path / (to or name)[1:])
 
     def run(self, command, folder="/sphaera", **more):
         """(exit code, what it said)"""
