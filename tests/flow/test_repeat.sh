@@ -36,7 +36,8 @@ reports() {
         "$t" operations r.nff --size 40x30 --json operations.json >operations.txt &&
         "$t" floats r.nff --size 40x30 --json floats.json >floats.txt &&
         "$t" trees r.nff --size 40x30 --json trees.json >trees.txt &&
-        "$t" texels "$root/scenes/texture/kitchen.nff" --size 40x30 --json texels.json >texels.txt ||
+        "$t" texels "$root/scenes/texture/kitchen.nff" --size 40x30 --json texels.json \
+            >texels.txt ||
         return 1
     rm build.txt render.txt accuracy.txt trees.txt # have times; their JSON is there
 }
@@ -104,7 +105,8 @@ if command -v clang >"$TMP/which" && command -v gcc >"$TMP/which"; then
         check "a program, with the library ${by:-here}" in_folder "$TMP/library/by$by" sh -c "
             ln -sf '$folder/$shared' ../libsphaera.so.${version%%.*} &&
             cc '$root/tests/flow/repeat.c' -I'$root/cmodel' -o ../repeat '$folder/$shared' &&
-            OMP_NUM_THREADS=$threads LC_ALL=$locale LD_LIBRARY_PATH=.. ../repeat '$scene' >library.txt"
+            OMP_NUM_THREADS=$threads LC_ALL=$locale LD_LIBRARY_PATH=.. \
+                ../repeat '$scene' >library.txt"
     done
     check "... says the same" $same "$TMP/library/by" "$TMP/library/byother"
 else
@@ -114,6 +116,6 @@ fi
 # ---- a difference would be seen ----
 cp -r "$TMP/one/tool" "$TMP/wrong"
 sed -i 's/"node_visits": \([0-9]*\)/"node_visits": 1\1/' "$TMP/wrong/render.json"
-check "a counter that differs is noticed" sh -c "! $same '$TMP/one/tool' '$TMP/wrong' >'$TMP/said' &&
-    grep -q '^render.json' '$TMP/said'"
+check "a counter that differs is noticed" sh -c "
+    ! $same '$TMP/one/tool' '$TMP/wrong' >'$TMP/said' && grep -q '^render.json' '$TMP/said'"
 done_testing

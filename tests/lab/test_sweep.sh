@@ -98,7 +98,8 @@ check "... and not for another one" says 0 ' 1 to run' versioned 2
 printf '# a paper\nscene,node_visits,source\npaper5,100,p. 3\npaper9,7,p. 4\n' >paper.csv
 check "a figure beside, and its ratio" says 0 'paper5 .* 100  [0-9.]+$' \
     sweep --scene paper5 one_sphere --size 16x9 --show node_visits --beside paper.csv --out beside
-check "... a row that no point is, is told" grep -q 'paper.csv: no point of this sweep is paper9' said
+check "... a row that no point is, is told" \
+    grep -q 'paper.csv: no point of this sweep is paper9' said
 check "... is a column of the CSV" [ "$(cell beside/sweep.csv 0 node_visits_beside)" = 100 ]
 check "... empty where there is none" [ -z "$(cell beside/sweep.csv 1 node_visits_beside)" ]
 check "maps side by side" says 0 'leaf_tests.svg' sweep s.txt --scene paper5 paper100 --pq 11 12 \
@@ -107,7 +108,7 @@ check "... as SVG" python3 -c "import xml.dom.minidom as x; x.parse('maps/leaf_t
 
 printf "scene paper5\nsie 8x6\n" >s2.txt
 printf "depth 11\n" >s3.txt
-printf "scene,leaf_test\npaper5,1\n" >bad.csv
+printf "scene,leaf_test\npaper5,1\n" >b.csv
 printf "scene,leaf_tests\npaper5\n" >ragged.csv
 # ---- what is wrong is told, with what may be meant ----
 while IFS='|' read -r pattern words; do
@@ -131,7 +132,7 @@ s2.txt:2: there is no axis and no word sie; is size meant|s2.txt
 s3.txt:1: depth: 11 is none of|s3.txt
 nothere.txt: No such file|nothere.txt
 nothere.csv: No such file|--scene paper5 --beside nothere.csv
-leaf_test is no axis and no figure of this sweep; is leaf_tests meant|--scene paper5 --size 8x6 --beside bad.csv
+leaf_test is no axis and no figure of this sweep; is leaf_tests|--scene paper5 --beside b.csv
 row 1 has not as many columns|--scene paper5 --size 8x6 --beside ragged.csv
 there is no figure visit|--scene paper5 --size 8x6 --show visit
 --jobs: x is no number|--scene paper5 --jobs x
