@@ -69,7 +69,7 @@ EXPERIMENTS = [Experiment(*row) for row in (
     ("study-short", "some small jobs of it, and no page", ["study.experiment:short TOOL BUILD"]),
     ("study-page", "the page from the results that are there",
      ["study.experiment:pages TOOL BUILD docs/results/accuracy.md"]),
-    ("study-pnr", "installs a pinned nextpnr-ecp5 (PyPI) into build/study/venv",
+    ("study-pnr", "installs nextpnr-ecp5 into build/study/pnr, of Debian 13 or, pinned, of PyPI",
      ["study.experiment:install BUILD"]),
     ("study-seeds", "MHz of a core placed with several seeds, and all rates told of it",
      ["study.experiment:clocks BUILD"]),

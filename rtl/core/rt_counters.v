@@ -36,7 +36,7 @@ module rt_counters #(
             reg [SW-1:0] sum_q;
             wire         now = turn_q == c;
             always @(posedge clk) begin
-                sum_q <= sum_q + {{AB{1'b0}}, add_i[8*c +: MB]};
+                if (|add_i[8*c +: MB]) sum_q <= sum_q + {{AB{1'b0}}, add_i[8*c +: MB]};
                 if (clear_i || rst) sum_q <= {SW{1'b0}};
             end
             assign sums[SW*c +: SW] = now ? sum_q : {SW{1'b0}};

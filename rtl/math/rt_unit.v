@@ -54,14 +54,14 @@ module rt_unit #(
     reg                 phase_q;                    // 0 in even clocks, seen from clock 0
     reg [T_OUT-1:0]     valid_q;                    // bit i: clock i+1
     reg [N_TAG*TAG-1:0] tag_q;
-    integer             i;
+    integer             i_tag, i_vv, i_h, i_v, i_y;    // one a block: Yosys sees one driver of each
     wire                take = in_valid_i && !phase_q;
     assign in_ready_o = !phase_q;
     always @(posedge clk) begin
         phase_q <= !phase_q;
         valid_q <= {valid_q[T_OUT-2:0], take};
-        for (i = 1; i < N_TAG; i = i + 1)
-            if (valid_q[2*i-1]) tag_q[TAG*i +: TAG] <= tag_q[TAG*(i-1) +: TAG];
+        for (i_tag = 1; i_tag < N_TAG; i_tag = i_tag + 1)
+            if (valid_q[2*i_tag-1]) tag_q[TAG*i_tag +: TAG] <= tag_q[TAG*(i_tag-1) +: TAG];
         if (take) tag_q[TAG-1:0] <= in_tag_i;
         if (rst) begin
             phase_q <= ODD != 0;
@@ -110,9 +110,9 @@ module rt_unit #(
             zz_q <= p_z[VW-1:0];
         end
         if (valid_q[L+1]) vv_q <= xy_q + zz_q;
-        for (i = 0; i < N_VV; i = i + 1)
-            if (valid_q[T_VV+2*i-1])
-                vv_wait_q[VW*i +: VW] <= vv_wait_d[VW*i +: VW];
+        for (i_vv = 0; i_vv < N_VV; i_vv = i_vv + 1)
+            if (valid_q[T_VV+2*i_vv-1])
+                vv_wait_q[VW*i_vv +: VW] <= vv_wait_d[VW*i_vv +: VW];
     end
 
     // ---- shift: pairs of leading zeros, by 16 and 8, then by 4, 2 and 1 ----
@@ -142,8 +142,8 @@ module rt_unit #(
             x_q    <= n_1;
             h_q    <= n_1[17:16] == 2'd0 ? 5'd0 : {h_16_q, h_8_q, h_4, h_2, h_1};
         end
-        for (i = 0; i < N_H; i = i + 1)
-            if (valid_q[T_H+2*i-1]) h_wait_q[5*i +: 5] <= h_wait_d[5*i +: 5];
+        for (i_h = 0; i_h < N_H; i_h = i_h + 1)
+            if (valid_q[T_H+2*i_h-1]) h_wait_q[5*i_h +: 5] <= h_wait_d[5*i_h +: 5];
     end
 
     // ---- v waits for h and is shifted: stands from T_H+3 to T_H+4, then to T_Y+1 ----
@@ -157,8 +157,8 @@ module rt_unit #(
                                          v_wait_q[N_V*3*BITS-2*BITS-1 -: BITS]});
     always @(posedge clk) begin
         if (take) v_wait_q[3*BITS-1:0] <= {in_x_i, in_y_i, in_z_i};
-        for (i = 1; i < N_V; i = i + 1)
-            if (valid_q[2*i-1]) v_wait_q[3*BITS*i +: 3*BITS] <= v_wait_q[3*BITS*(i-1) +: 3*BITS];
+        for (i_v = 1; i_v < N_V; i_v = i_v + 1)
+            if (valid_q[2*i_v-1]) v_wait_q[3*BITS*i_v +: 3*BITS] <= v_wait_q[3*BITS*(i_v-1) +: 3*BITS];
         if (valid_q[T_H+1]) begin
             s_x_q    <= v_x <<< h_wait_q[4:0];               // |v << h| < 2^BITS
             s_y_q    <= v_y <<< h_wait_q[4:0];
@@ -196,9 +196,9 @@ module rt_unit #(
             start_two_q <= start_q;
         end
         if (valid_q[T_H+3]) y_q <= start_two_q - {6'd0, slope_two_q[20:10]};
-        for (i = 0; i < N_Y; i = i + 1)
-            if (valid_q[T_Y+2*i-1])
-                y_wait_q[17*i +: 17] <= y_wait_d[17*i +: 17];
+        for (i_y = 0; i_y < N_Y; i_y = i_y + 1)
+            if (valid_q[T_Y+2*i_y-1])
+                y_wait_q[17*i_y +: 17] <= y_wait_d[17*i_y +: 17];
     end
 
     // ---- round ----
