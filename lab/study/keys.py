@@ -9,7 +9,7 @@ from ..runner import PROTEIN
 # one that it takes by itself, or bih
 COMMON = {"profile": "standard", "scene": None, "size": None, "tree": "default",
           "traverse": "nearest", "background": "none", "depth": "2"}
-CORE = {"profile": "standard", "core": None, "engines": "1", "root": "2", "quotient": "2"}
+CORE = {"profile": "standard", "core": None, "engines": "1", "root": "1", "quotient": "2"}
 FIELDS = {
     "accuracy": dict(COMMON, truth="2"),
     "cycles": dict(COMMON, **CORE),

@@ -17,7 +17,7 @@ KNOBS = {
               "standard:w=20,wd=21,pq=24", "fine:pr=16"],
 }
 # rate knobs: the picture is the same
-RATES = [{}, {"engines": 2}, {"root": 1}, {"root": 4}, {"quotient": 1}, {"quotient": 4}]
+RATES = [{}, {"engines": 2}, {"root": 2}, {"root": 4}, {"quotient": 1}, {"quotient": 4}]
 # beside the profiles these cores are simulated and synthesised; the others are pictures alone
 KNOB_CORES = ["standard:pr=12", "standard:w=18,wd=19,pq=20,pr=14", "standard:pq=13",
               "standard:fw=12", "standard:w=14", "standard:wd=21", "standard:ng=0"]
