@@ -69,8 +69,8 @@ rtl/prim/rt_leaf_four.v
 rtl/prim/rt_leaf_sums.v
 rtl/prim/rt_leaf_two.v
 rtl/prim/rt_prim.v
-rtl/prim/rt_root_pool.v
 rtl/prim/rt_sphere.v
+rtl/prim/rt_sphere_key.v
 rtl/shade/rt_blend.v
 rtl/shade/rt_blends.v
 rtl/shade/rt_colour.v

@@ -553,7 +553,7 @@
     X(ROOTS, 0) \
     X(QUOTIENTS, 2) \
     X(DIVISIONS, 0) \
-    X(ROOT_STEP, 2) \
+    X(ROOT_STEP, 1) \
     X(QUOTIENT_STEP, 2) \
     X(DIVISION_STEP, 2) \
     X(LEAF_INTERVAL, 2) \
@@ -586,10 +586,11 @@
     X(KEY_DIVISION, ((W + WD + DIVISION_STEP) / DIVISION_STEP + 1)) \
     X(KEY_PRODUCTS, ((2 * ((WD + 16) / 17) + (2 * WD + 16) / 17) * ((2 * W + WD + 68) / 34) + 6)) \
     X(KEY_CLOCKS, (max(KEY_DIVISION, KEY_PRODUCTS))) \
-    X(ROOT_UNITS, (ROOTS != 0 ? ROOTS : PIPES > 1 ? 6 : 3)) \
-    X(ROOT_BITS, (PR != 0 ? PR : W + WD)) \
+    X(ROOT_STAGES, (ROOTS != 0 ? ROOTS : PIPES > 1 ? 12 : 6)) \
+    X(ROOT_ROUNDS, ((W + WD + ROOT_STEP - 1) / ROOT_STEP)) \
+    X(ROOT_CLOCKS, (ROOT_ROUNDS / ROOT_STAGES + 1)) \
     X(QUOTIENT_CLOCKS, ((PQ + QUOTIENT_STEP - 1) / QUOTIENT_STEP + 6)) \
-    X(REFRACT_CLOCKS, (62 + 11 * (WD > 17) + (ROOT_BITS + 1) / 2))
+    X(REFRACT_CLOCKS, (62 + 11 * (WD > 17) + ROOT_ROUNDS))
 #define SPH_EACH_LOAD(X)  \
     X(node_visits, "node visits", PIPES, node_visits + ACCEL * (4*rays + node_visits - child_tests/2)) \
     X(rays_set_up_for_planes, "rays set up for planes", PIPES, (ACCEL + BOXES > 0) * rays * 3) \
@@ -597,7 +598,7 @@
     X(exact_tests_of_spheres, "exact tests of spheres", LEAF_COUNT, leaf_tests * LEAF_INTERVAL) \
     X(exact_tests_of_facets, "exact tests of facets", LEAF_COUNT, facet_tests * FACET_CLOCKS) \
     X(keys_of_facets, "keys of facets", LEAF_COUNT * KEY_UNITS, divisions * KEY_CLOCKS) \
-    X(roots, "roots", LEAF_COUNT * ROOT_UNITS, roots * ((ROOT_BITS - 1) / ROOT_STEP + 3)) \
+    X(roots, "roots", LEAF_COUNT, roots * ROOT_CLOCKS) \
     X(unit_vectors, "unit vectors", SETUP_UNITS * UNITS, vectors * UNIT_INTERVAL) \
     X(quotients, "quotients", SHADE_UNITS * QUOTIENTS, quotients * QUOTIENT_CLOCKS) \
     X(points_and_normals, "points and normals", SHADE_UNITS, quotients * HIT_INTERVAL) \

@@ -133,7 +133,7 @@ module rt_core #(
     localparam KEY_UNITS = DIVISIONS != 0 ? DIVISIONS : BOXES != 0 ? 3 : 1;
     localparam FACET_CLOCKS = FACET_INTERVAL != 0 ? FACET_INTERVAL
                               : BOXES != 0 || W < 18 ? 2 : 4;
-    localparam ROOT_UNITS = ROOTS != 0 ? ROOTS : PIPES > 1 ? 6 : 3;
+    localparam ROOT_STAGES = ROOTS != 0 ? ROOTS : PIPES > 1 ? 12 : 6;
     // Beside others a pipe sees fewer neighbours; block RAM has the room in any case.
     localparam LEAF_UNIT = PIPES > 1 ? 4*LEAF_LINES : LEAF_LINES;
     localparam ALL_SLOTS = SLOTS << $clog2(PIPES);
@@ -231,7 +231,7 @@ module rt_core #(
                 .LEAF_UNITS(LEAF_COUNT), .SHADES(SHADE_UNITS), .SETUPS(SETUP_UNITS),
                 .SLOTS(ALL_SLOTS), .SQUARES(LUT_SQUARES), .LUTS(SPARE_LUTS),
                 .STACK(`RT_STACK_DEPTH), .NODE_LINES(NODE_LINES), .LEAF_LINES(LEAF_UNIT),
-                .ROOTS(ROOT_UNITS), .DIVISIONS(KEY_UNITS),
+                .ROOTS(ROOT_STAGES), .DIVISIONS(KEY_UNITS),
                 .ROOT_STEP(ROOT_STEP), .DIVISION_STEP(DIVISION_STEP), .LEAF_INTERVAL(LEAF_INTERVAL),
                 .FACET_INTERVAL(FACET_CLOCKS), .UNITS(UNITS), .UNIT_INTERVAL(UNIT_INTERVAL)
             ) u_engine (
