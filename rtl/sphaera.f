@@ -34,6 +34,7 @@ rtl/math/rt_pool.v
 rtl/math/rt_product.v
 rtl/math/rt_quotient.v
 rtl/math/rt_quotient_pool.v
+rtl/math/rt_reciprocal.v
 rtl/math/rt_reciprocal_rom.v
 rtl/math/rt_rsqrt_rom.v
 rtl/math/rt_square.v
@@ -122,6 +123,7 @@ rtl/top/rt_totals.v
 rtl/trace/rt_across.v
 rtl/trace/rt_across_one.v
 rtl/trace/rt_bih.v
+rtl/trace/rt_bih_box.v
 rtl/trace/rt_bih_ray.v
 rtl/trace/rt_bih_stack.v
 rtl/trace/rt_bih_step.v

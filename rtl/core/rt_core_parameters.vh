@@ -27,10 +27,8 @@
     parameter TEXTURE_COORDS = 2, // 1..8: units for texture coordinates an engine
     parameter ROOTS      = 0,    // 0..16: roots of a leaf unit under way at once, 0: 12, for 1 pipe 6
     parameter QUOTIENTS  = 2,    // 1..8: dividers an engine
-    parameter DIVISIONS  = 0,    // 0..8: units for keys of facets a leaf unit, 0: 1, with BOXES 3
     parameter ROOT_STEP  = 1,    // 1..W+WD: root bits a clock
     parameter QUOTIENT_STEP = 2, // 1..PQ: quotient bits a clock
-    parameter DIVISION_STEP = 2, // 1..W+WD: bits of a facet's key a clock
     parameter LEAF_INTERVAL = 2, // 2..4, power of two: clocks an exact test of a sphere
     parameter FACET_INTERVAL = 0, // 0..4, power of two: clocks a facet, 0: 2, wide without BOXES 4
     parameter UNITS      = 2,    // 1..2: units for unit vectors an engine
