@@ -175,6 +175,10 @@ typedef struct sphaera_build_options {
     double least_weight;       /* rays of less than this share of a pixel end, 0..1 */
     int samples;               /* N x N rays a pixel, 1..16: the frame has N times the sides, and
                                   pictures of it the mean of its light */
+    int shifted;               /* 1: `shift` takes the place of the scene's, as --shift */
+    double shift[2];           /* of the picture's middle to the right and up, in its heights */
+    double eye[3];             /* the eye moves to the right, up and back, as --eye-shift */
+    int wall[4];               /* columns, rows; column, row of this frame, as --wall; 0, 0: none */
     sphaera_progress progress; /* NULL: nobody is told */
     void *user;
 } sphaera_build_options;

@@ -4,7 +4,8 @@ from typing import Any, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
-from ._library import PathLike, Record, c_text, call, ffi, lib, made, records
+from ._library import (PathLike, Record, c_text, call, ffi, lib, made, records,
+                       until_interrupted)
 from ._options import Progress, Switch, Told, build_options, filled
 from .machine import Machine
 from .price import Price, price_of
@@ -55,18 +56,23 @@ class Scene:
                        background, bg_points, bg_border, bg_levels
                        traverse, filter, lod, lod_bits, least_weight
                        samples: N x N rays a pixel; the frame has N times the sides
+                       shift: (right, up), in place of the scene's, as of scene_of()
+                       eye: (right, up, back), by which the eye moves before a screen that stays
+                       wall: (columns, rows, column, row) of a frame that is part of a picture
 
         Error: a word or number that is none of these, an image that cannot be read, a scene that
         the profile has no room for, or "cancelled". TypeError: a keyword that is none of these."""
-        with Told(progress) as told:
-            options, kept = build_options(dict(
-                profile=profile, accel=accel, width=width, height=height, depth=depth,
-                shadow=shadow, reflect=reflect, refract=refract, specular=specular,
-                texture=texture, progress=told.pointer, **more))
-            machine = made(lib.sphaera_build, lib.sphaera_machine_free, "sphaera_machine",
-                           self._pointer, options)
-            del kept
-        return Machine(machine)
+        def work(stop: Any) -> Any:
+            with Told(progress, stop) as told:
+                options, kept = build_options(dict(
+                    profile=profile, accel=accel, width=width, height=height, depth=depth,
+                    shadow=shadow, reflect=reflect, refract=refract, specular=specular,
+                    texture=texture, progress=told.pointer, **more))
+                machine = made(lib.sphaera_build, lib.sphaera_machine_free, "sphaera_machine",
+                               self._pointer, options)
+                del kept
+            return machine
+        return Machine(until_interrupted(work))
 
     def price(self, *, keep_pixels: float = 0, keep_psnr: float = 0, most: int = 0,
               **build: Any) -> Price:
@@ -104,15 +110,17 @@ def read(path: PathLike, at: int = 0, strict: bool = False, *, time: Optional[fl
     progress          called with done, all; what it returns, if true, cancels
 
     Error: no such file, or what the file says is no scene, with file, line and field."""
-    with Told(progress) as told:
-        options, kept = filled("sphaera_read_options", lib.sphaera_read_init, dict(
-            at=at, strict=strict, timed=time is not None, time=time, round=round,
-            skip_unsupported=skip_unsupported, camera=camera, radius=radius,
-            up=up.encode() if up else None, progress=told.pointer))
-        scene = Scene(made(lib.sphaera_scene_read_with, lib.sphaera_scene_free, "sphaera_scene",
-                           c_text(path), options))
-        del kept
-    return scene
+    def work(stop: Any) -> Any:
+        with Told(progress, stop) as told:
+            options, kept = filled("sphaera_read_options", lib.sphaera_read_init, dict(
+                at=at, strict=strict, timed=time is not None, time=time, round=round,
+                skip_unsupported=skip_unsupported, camera=camera, radius=radius,
+                up=up.encode() if up else None, progress=told.pointer))
+            scene = made(lib.sphaera_scene_read_with, lib.sphaera_scene_free, "sphaera_scene",
+                         c_text(path), options)
+            del kept
+        return scene
+    return Scene(until_interrupted(work))
 
 
 def parse(text: Union[str, bytes], name: PathLike = "memory.nff", at: int = 0) -> Scene:

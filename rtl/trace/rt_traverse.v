@@ -374,10 +374,12 @@ module rt_traverse #(
     wire [3:0] f_inner   = ~(4'hf << f_n_inner);                   // children that are nodes
     wire [3:0] f_present = ~(4'hf << (f_n_inner + f_n_leaf));
     wire [3:0] f_hit     = f_kill ? 4'd0 : f_pass & f_present;
-    // Equal depths are put in the order of the node; the smallest is below every limit.
+    // Equal depths are put in the order of the node; the smallest is below every limit: order.h.
+    wire [63:0] f_depth = f_order ? {4{16'h8000}} : f_near;
+
     rt_sort u_sort (
         .clk(clk), .in_valid_i(f_valid), .hit_i(f_hit & f_inner),
-        .near_i(f_order ? {4{16'h8000}} : f_near),
+        .near_i(f_depth),
         .count_o(found_o[`RT_FOUND_COUNT]), .list_o(found_o[`RT_FOUND_LIST])
     );
     rt_stages #(.WIDTH(DW), .CYCLES(1)) u_side_1 (

@@ -225,11 +225,17 @@ def options():
                   {"accel": "bih", "max_prims": 1, "max_tree_depth": 8, "bih": "listing"},
                   {"accel": "box4", "axes": "scene"}, {"least_weight": 0.5}, {"inside": True},
                   {"traverse": "first", "inside": True, "interpenetrate": True},
-                  {"accel": "bih", "bih_fit": float("inf")}, {"samples": 2}):
+                  {"accel": "bih", "bih_fit": float("inf")}, {"samples": 2},
+                  {"shift": (0.1, 0)}, {"eye": (0.5, 0, 0)}, {"wall": (2, 2, 0, 1)}):
         other = scene.build(**size, **words)
         assert other.registers.tolist() != plain.registers.tolist() or \
             other.memory.tolist() != plain.memory.tolist(), words
     assert scene.build(**size, samples=2).width == 128
+    aimed = scene.build(**size, shift=(0.1, 0), eye=(0.5, 0.2, 0.1), wall=(2, 2, 1, 0)).render()
+    said = subprocess.run([TOOL, "render", PAPER5, "--profile", "standard", "--size", "64x48",
+                           "--shift", "0.1,0", "--eye-shift", "0.5,0.2,0.1", "--wall", "2x2:1,0",
+                           "--json", "-"], check=True, text=True, stdout=subprocess.PIPE).stdout
+    assert json.loads(said)["frame"]["hash"] == f"{aimed.hash:016x}"
     ball = sphaera.scene_of(spheres=[[0, 0, 0, 1], [0, 0, -4, 1]], lights=[[0, 0, 9]],
                             eye=(0, 0, 5))  # whose shadow nobody sees
     assert ball.build().parameters["SHADOW"] == 1
@@ -243,6 +249,11 @@ def options():
                            ("filter is 'x', none of nearest, bilinear", {"filter": "x"}),
                            ("lights is 9, not -1 to 8", {"lights": 9}),
                            ("least_weight is nan", {"least_weight": float("nan")}),
+                           ("wall is 2, not 0 to 1", {"wall": (2, 2, 2, 0)}),
+                           ("wall is 0, not 1 to", {"wall": (2, 0, 0, 0)}),
+                           ("shift is nan", {"shift": (0, float("nan"))}),
+                           ("eye is inf", {"eye": (0, float("inf"), 0)}),
+                           ("the eye cannot move", {"eye": (0, 0, -1e6)}),
                            ("samples is 17", {"samples": 17}), ("clear is 3", {"clear": 3}),
                            ("error_pixels is -1", {"error_pixels": -1}),
                            ("lod_bits is 9", {"lod_bits": 9}),
@@ -498,6 +509,24 @@ def interrupts():
                 late.append(time.monotonic() - sent[0])
         assert what == small.write or min(late) < 0.1, late
     assert [p.name for p in folder.iterdir()] in ([], ["a.png"]), list(folder.iterdir())
+    for name, words in (("random:300000", {"profile": "standard", "accel": "bih"}),
+                        ("random:4000", {"width": 640, "height": 360})):  # profile and tree by auto
+        scene, began = sphaera.read(name), time.monotonic()
+        scene.build(**words)
+        whole, late = time.monotonic() - began, []
+        for part in (0.5, 0.3, 0.2, 0.1):
+            sent = []
+            timer = threading.Timer(part * whole, lambda: (
+                sent.append(time.monotonic()), os.kill(os.getpid(), signal.SIGINT)))
+            timer.start()
+            try:
+                scene.build(**words)
+                timer.join()
+                time.sleep(1)
+                raise AssertionError("not interrupted")
+            except KeyboardInterrupt:
+                late.append((time.monotonic() - sent[0]) / (1 - part) / whole)
+        assert min(late) < 0.5, (name, whole, late)
     again = sphaera.read(PAPER5).build(width=1600, height=900).render()
     again.write("whole.png")
     assert again.hash == small.hash
