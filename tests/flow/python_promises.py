@@ -155,16 +155,17 @@ def arrays():
     assert machine.render().hash == sphaera.parse(text).build(profile="fine").render().hash
     scene.write("arrays.nff")
     assert sphaera.read("arrays.nff").build(profile="fine").render().hash == machine.render().hash
-    images = [f"{ROOT}/scenes/texture/{name}.png" for name in ("letter", "globe")]
+    images = [f"{ROOT}/scenes/texture/{name}.png" for name in ("globe", "letter")]
     st = [[[0, 0], [1, 0], [0.5, 1]]]
     textured = sphaera.scene_of(spheres=balls, sphere_materials=[1, 0], triangles=floor, st=st,
-                                materials=stuff, textures=images, triangle_textures=[0],
-                                sphere_textures=[sphaera.NONE, 1], lights=[[4, 6, 8]], **view)
+                                materials=stuff, textures=images, triangle_textures=[1],
+                                sphere_textures=[sphaera.NONE, 0], lights=[[4, 6, 8]],
+                                background=(0.1, 0.2, 0.3), **view)
     corners = "".join(f"{x} {y} {z} {s} {t}\n"
                       for (x, y, z), (s, t) in zip(floor[0], st[0]))
-    told = text.replace("b 0.1 0.2 0.3\n", "").replace("plane 0 -2 0 0 1 0\n", "")
-    told = told.replace("s 1.5", f"texture {images[1]} 1 1\ns 1.5").replace(
-        "p 3 -4 -1 -4 4 -1 -4 0 -1 5\n", f"tt {images[0]}\n{corners}")
+    told = text.replace("plane 0 -2 0 0 1 0\n", "").replace(
+        "s 1.5", f"texture {images[0]} 1 1\ns 1.5").replace(
+            "p 3 -4 -1 -4 4 -1 -4 0 -1 5\n", f"tt {images[1]}\n{corners}")
     drawn = [each.build(profile="fine").render() for each in (textured, sphaera.parse(told))]
     assert drawn[0].hash == drawn[1].hash and drawn[0].counters["texels"] > 0
     textured.write("textured.nff")
