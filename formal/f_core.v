@@ -62,6 +62,8 @@ module f_core #(
     (* hierconn *) wire [7:0]  \u_dut.u_counters.calm_q ;
     (* hierconn *) wire [8*(CALM - 4)-1:0] \u_dut.add_q ;
     (* hierconn *) wire [5:0]  \u_dut.settle_q ;
+    (* hierconn *) wire        \u_dut.working , \u_dut.u_walks.may_q ;
+    (* hierconn *) wire        \u_dut.g_engine[0].u_engine.may_q ;
     // ---- what is seen, and what it was before the last edge ----
     wire [`RT_REGS_BITS+64+4+56+`RT_LINE_BITS+`RT_ERRORS-1:0] seen = {\u_dut.regs , \u_dut.effects ,
         \u_dut.profile , \u_dut.frame , \u_dut.bg_mode , \u_dut.window , \u_dut.bg_base , errors};
@@ -94,7 +96,9 @@ module f_core #(
             assert (active == woken);
             if (reset_q == CALM + 2) assert (\u_dut.u_counters.calm_q >= CALM);
         end
-        // invariants; settle_q ends no earlier
+        // invariants; what works has begun to settle, which ends no earlier than counters do
+        if (\u_dut.working || \u_dut.u_walks.may_q || \u_dut.g_engine[0].u_engine.may_q )
+            assert (\u_dut.settle_q == CALM + 1);
         assert (\u_dut.u_arbiter.coming_q >= \u_dut.u_arbiter.came_q );
         assert (reset_q <= CALM + 2 && \u_dut.settle_q <= CALM + 1);
         assert (\u_dut.u_counters.calm_q + 2 >= reset_q ||

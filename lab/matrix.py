@@ -45,9 +45,10 @@ STEPS = [
     Step("`make yosys-setup`, synthesis",
          f"make yosys-setup && {NEWEST} -V && make synth YOSYS={NEWEST} {CORE}"),
 ]
+CERTIFICATES = "/etc/ssl/certs/ca-certificates.crt"  # of this machine; packages may write others
 ENVIRONMENT = {"PATH": "/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin",
                "HOME": "/root", "LC_ALL": "C.UTF-8", "TERM": "dumb", "CI": "",
-               "PIP_CERT": "/etc/ssl/certs/ca-certificates.crt"}
+               "PIP_CERT": "/root/certificates"}
 
 
 def archive(label):
@@ -76,10 +77,9 @@ class Root:
             shutil.rmtree(self.path)
         subprocess.run(["cp", "-a", "--reflink=auto", base, self.path], check=True)
         shutil.rmtree(self.path / "var/lib/apt/lists")  # as in an image of a container
-        for name in "/etc/resolv.conf", ENVIRONMENT["PIP_CERT"]:
+        for name, to in ("/etc/resolv.conf", ""), (CERTIFICATES, ENVIRONMENT["PIP_CERT"]):
             if Path(name).exists():
-                (self.path / name[1:]).parent.mkdir(parents=True, exist_ok=True)
-                shutil.copyfile(name, self.path / name[1:])
+                shutil.copyfile(name, self.path / (to or name)[1:])
 
     def run(self, command, folder="/sphaera", **more):
         """(exit code, what it said)"""

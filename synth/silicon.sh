@@ -26,7 +26,8 @@ if [ "${CLOCK_GATES:-1}" = 1 ] && knows clockgate -pos; then
     only='-cell $_DFF_P_ x -cell $_DFFE_PP_ x'
     gates="dfflegalize $only -cell \$_SDFF_PP?_ x -cell \$_SDFFCE_PP?P_ x;
         dffunmap -srst-only; dfflegalize $only; opt_merge; opt_clean;
-        read_verilog -lib $out.gate.v; clockgate -pos RT_CLOCK_GATE en:clk:gclk -min_net_size $LEAST;"
+        read_verilog -lib $out.gate.v;
+        clockgate -pos RT_CLOCK_GATE en:clk:gclk -min_net_size $LEAST;"
 fi
 # YoWASP takes paths below its own folder alone: the library is brought there.
 cp "$lib" "$out.lib"

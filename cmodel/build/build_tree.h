@@ -79,7 +79,7 @@ struct sph_bt_job {
 enum {
     SPH_BT_MANY = 1,   /* more spheres than it was built for */
     SPH_BT_ROOM = 2,   /* fewer lines than sph_bt_lines() */
-    SPH_BT_RECORD = 4, /* a radius of 0 or beyond W bits, or another kind of primitive */
+    SPH_BT_RECORD = 4, /* a number not of W bits, a radius of 0, another id or kind of primitive */
     SPH_BT_BUS = 8     /* memory answered with an error */
 };
 

@@ -15,14 +15,18 @@ static int32_t signed_field(const uint32_t *line, int lsb, int bits) {
     return (int32_t)(sph_field(line, lsb, bits) << (32 - bits)) >> (32 - bits);
 }
 
-/* The sphere of a primitive record. 0 if it is none, or its radius is not one. */
-static int read_leaf(const uint32_t *line, const struct sph_profile *p, struct sph_bt_leaf *leaf) {
+/* The sphere of the primitive record of number id. 0 if it is none of W bits and a radius. */
+static int read_leaf(const uint32_t *line, uint32_t id, const struct sph_profile *p,
+                     struct sph_bt_leaf *leaf) {
     static const int lsb[3] = {SPH_LEAF_CTR_X_LSB, SPH_LEAF_CTR_Y_LSB, SPH_LEAF_CTR_Z_LSB};
-    for (int i = 0; i < 3; i++)
-        leaf->ctr[i] = signed_field(line, lsb[i], p->w);
+    int sound = sph_field(line, SPH_LEAF_ID_LSB, SPH_LEAF_ID_BITS) == id &&
+                sph_field(line, SPH_PRIM_KIND_LSB, SPH_PRIM_KIND_BITS) == SPH_SPHERE;
+    for (int i = 0; i < 3; i++) {
+        leaf->ctr[i] = signed_field(line, lsb[i], SPH_LEAF_CTR_X_BITS);
+        sound &= leaf->ctr[i] == signed_field(line, lsb[i], p->w);
+    }
     leaf->rad = (int32_t)sph_field(line, SPH_LEAF_RAD_LSB, SPH_LEAF_RAD_BITS);
-    return leaf->rad && !(leaf->rad >> p->w) &&
-           sph_field(line, SPH_PRIM_KIND_LSB, SPH_PRIM_KIND_BITS) == SPH_SPHERE;
+    return sound && leaf->rad && !(leaf->rad >> p->w);
 }
 
 static void put_node(uint32_t *memory, const struct sph_bt_job *job,
@@ -58,7 +62,7 @@ int sph_bt_words(uint32_t *memory, const struct sph_bt_job *job, uint32_t most,
     struct sph_bt_node *nodes = NULL;
     if (!leaves) return sph_fail(err, "out of memory for %u spheres", n);
     for (uint32_t id = 0; id < n; id++)
-        if (!read_leaf(memory + (size_t)(job->prim_base + id) * SPH_LINE_WORDS, profile,
+        if (!read_leaf(memory + (size_t)(job->prim_base + id) * SPH_LINE_WORDS, id, profile,
                        &leaves[id]))
             wrong = SPH_BT_RECORD;
     int failed = wrong ? wrong : sph_bt_tree(leaves, n, profile, &nodes, &n_nodes, err);

@@ -270,6 +270,8 @@ module rt_slots #(
             r_valid_q  <= o_blend || o_sky;
             r_sky_q    <= o_turn_sky && !o_sky_end;
             r_slot_q   <= o_slot;
+        end else if (p_load) begin
+            r_valid_q  <= 1'b0;
         end
         if (p_load) begin
             p_valid_q  <= r_valid_q;

@@ -158,7 +158,8 @@ module rt_unit #(
     always @(posedge clk) begin
         if (take) v_wait_q[3*BITS-1:0] <= {in_x_i, in_y_i, in_z_i};
         for (i_v = 1; i_v < N_V; i_v = i_v + 1)
-            if (valid_q[2*i_v-1]) v_wait_q[3*BITS*i_v +: 3*BITS] <= v_wait_q[3*BITS*(i_v-1) +: 3*BITS];
+            if (valid_q[2*i_v-1])
+                v_wait_q[3*BITS*i_v +: 3*BITS] <= v_wait_q[3*BITS*(i_v-1) +: 3*BITS];
         if (valid_q[T_H+1]) begin
             s_x_q    <= v_x <<< h_wait_q[4:0];               // |v << h| < 2^BITS
             s_y_q    <= v_y <<< h_wait_q[4:0];

@@ -4,8 +4,8 @@
 // cycle n+1 on; in cycle n itself its address still reads the old word.
 // Contents are not reset: write a word before its value matters.
 // For a family whose memory has registered reads only, a file of FALLING bits and more is block RAM
-// that is read at the falling edge: half a period after what gives the address, half a period before
-// what takes the word. So no address may depend on a word that another such file gives in this clock.
+// that is read at the falling edge: half a period behind what gives the address, and before what
+// takes the word. So no address may follow from a word that another such file gives in that clock.
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_memory.vh"
@@ -24,10 +24,10 @@ module rt_slot_file #(
 );
     generate
         if (FALLING != 0 && WIDTH*SLOTS >= FALLING) begin : g_falling
-            `RT_BLOCK_RAM_FREE reg [WIDTH-1:0] mem [0:SLOTS-1];
+            `RT_BLOCK_RAM_FREE reg [WIDTH-1:0] words [0:SLOTS-1];
             reg [WIDTH-1:0] word_q;
-            always @(posedge clk) if (wr_en_i) mem[wr_addr_i] <= wr_data_i;
-            always @(negedge clk) word_q <= mem[rd_addr_i];
+            always @(posedge clk) if (wr_en_i) words[wr_addr_i] <= wr_data_i;
+            always @(negedge clk) word_q <= words[rd_addr_i];
             assign rd_data_o = word_q;
         end else begin : g_luts
             `RT_LUT_RAM reg [WIDTH-1:0] mem [0:SLOTS-1];

