@@ -102,7 +102,7 @@ static int material_of(const struct sph_arrays *a, const char *array, const uint
 /* The images that rows name; files are opened when a machine is built. */
 static int textures(struct sph_reader *r, const struct sph_arrays *a, struct sph_error *err) {
     for (uint32_t i = 0; i < a->n_textures; i++) {
-        struct sph_texture t = {.colours = SPH_COLOURS_SRGB, .repeat = {1, 1}, .line = i + 1};
+        struct sph_texture t = {.colours = SPH_COLOURS_OF_FILE, .repeat = {1, 1}, .line = i + 1};
         if (!a->textures[i] || !a->textures[i][0])
             return sph_fail(err, "textures[%u]: the name of the image file is empty", i);
         if (snprintf(t.path, sizeof t.path, "%s", a->textures[i]) >= (int)sizeof t.path)

@@ -20,7 +20,7 @@ struct sph_arrays {
     const double *lights, *colours; /* [3] both; colours may be NULL */
     /* numbers of materials; NULL: 0 */
     const uint32_t *sphere_materials, *triangle_materials, *plane_materials;
-    const char *const *textures; /* files of images, sRGB, that repeat */
+    const char *const *textures; /* files of images, which repeat */
     /* numbers of textures, SPH_ID_NONE: none; NULL: none at all */
     const uint32_t *sphere_textures, *triangle_textures;
     const double *st; /* [3][2] of triangles: s, t of corners; if they have textures */

@@ -168,7 +168,7 @@ def scene_of(*, spheres: Any = (), triangles: Any = (), planes: Any = (), materi
     planes     [n, 6]: a point, the normal     normals    [n, 3, 3] of the triangles' corners
     materials  [n, 8]: red green blue Kd Ks Shine T index, `f` of NFF; None: one, white
     ..._materials   [n]: rows of materials; None: the first
-    textures   files of images in sRGB, which repeat
+    textures   files of images, which repeat
     ..._textures    [n]: rows of textures, sphaera.NONE: none
     st         [n, 3, 2]: s, t of the triangles' corners, 0 to 1 across the image and up
     lights     [n, 3], at most 8               light_colours  [n, 3]; None: 1 / sqrt(n)
