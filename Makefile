@@ -41,25 +41,36 @@ include make/variables.mk
 # Names in make/variables.mk; the names' values before a command.
 VARIABLES := $(shell sed -n 's/^\#\# \([A-Z_][A-Z_]*\) .*/\1/p' make/variables.mk)
 values = $(foreach v,$(1),$v=$(call quoted,$($v)))
-# What the command line or the environment has is checked, and whether `sim` has its simulator.
+# What the command line or the environment has is checked, and whether goals have the programs
+# that they need.
 CHECK := $(strip $(foreach v,$(VARIABLES),$(if $(filter command environment,$(origin $v)),$v)))
 $(call as_text,$(CHECK))
 # All else that the environment has is text to whoever names it, and not what make makes of it.
 $(foreach v,$(filter-out $(VARIABLES) MAKE%,$(.VARIABLES)),$(if $(filter environment,$(origin $v)),\
     $(eval $v := $$(value $v))))
-# That is Python's work; the system's own starts at once. Without it `make setup` may install it.
+# That is Python's work; the system's own starts at once.
 front := $(or $(wildcard /usr/bin/python3),$(shell command -v python3))
 ifneq ($(front),)
 front += -ES sim/front.py
 else
 $(if $(filter setup,$(MAKECMDGOALS)),,$(error there is no python3 here: make setup installs it))
-$(if $(filter-out setup,$(MAKECMDGOALS)),$(if $(GIVEN)$(CHECK),$(error there is no python3 here, \
-    which looks at $(sort $(GIVEN) $(CHECK)): make setup, with no other target, installs it)))
 endif
 ask = $(if $(front),$(if $(shell $(1) $(front) $(2) || echo wrong),$(error nothing is made)))
-ifneq ($(GIVEN)$(CHECK)$(filter sim,$(MAKECMDGOALS)),)
+ifneq ($(GIVEN)$(CHECK)$(filter sim synth price,$(MAKECMDGOALS)),)
 $(call ask,$(call values,$(VARIABLES)),values $(call quoted,$(GIVEN)) '$(MAKECMDGOALS)' $(CHECK))
 endif
+# What is asked for besides setup is made by a make that finds what was installed.
+OTHERS := $(filter-out setup,$(MAKECMDGOALS))
+ifneq ($(and $(OTHERS),$(filter setup,$(MAKECMDGOALS))),)
+$(call ask,,goals '$(OTHERS)' Makefile $(wildcard make/*.mk))
+.PHONY: setup installed $(OTHERS)
+setup:
+	@sh sim/setup.sh --for $(OTHERS)
+installed: setup
+	+@$(MAKE) --no-print-directory $(OTHERS)
+$(OTHERS): installed ; @:
+else
+
 # Make has no words with blanks: a folder of such a name is called by a link.
 ifneq ($(call has_odd,$B)$(word 2,$B),)
 override B := $(shell sh sim/folder.sh $(call quoted,$B))
@@ -73,7 +84,12 @@ endif
 
 comma := ,
 Q := $(if $(filter 1,$(V)),,@)
-say = $(if $(filter 1,$(V)),,@printf '  %-4s %s\n' $(1) $(2))
+# On a terminal hundreds of files share one line, with their number, which what is said next takes.
+shown    = $(if $(filter 1,$(V)),,@form='  %-4s %s\n'; [ ! -t 1 ] || form='\033[K  $(1)'; \
+               printf "$$form" $(2) $(3))
+say      = $(call shown,%-4s %s\n,$(1),$(2))
+progress = $(eval files += x)$(call shown,%-4s $(words $(files)) %s\r,$(1),$(2))
+files   :=
 
 # A compiler cache, if there is one: `make setup` installs it. The compiler tells it what a file
 # includes, which saves a preprocessor before each; the list of packages stands for their headers.
@@ -82,7 +98,8 @@ export CCACHE_DEPEND     := 1
 export CCACHE_EXTRAFILES := $(wildcard /var/lib/dpkg/status)
 CC       := $(CCACHE) gcc
 CXX      := $(CCACHE) g++
-WARN     := -Wall -Wextra -Wconversion -Wshadow -Werror
+# Of another compiler or library a warning ends no build but that of .ci/run.
+WARN     := -Wall -Wextra -Wconversion -Wshadow $(if $(CI),-Werror)
 CFLAGS   := -std=c11 -D_GNU_SOURCE -O3 $(WARN) -Icmodel
 CXXFLAGS := -std=c++17 -O2 $(WARN) -Icmodel
 # The same objects serve the tool and the shared library, which exports what sphaera.h has.
@@ -95,7 +112,7 @@ LINKER   := $(shell sh sim/linker.sh)
 CLANG_SANITIZE := -O0 -gline-tables-only -fsanitize=address,undefined -fno-sanitize-recover=all \
                   -D__SANITIZE_ADDRESS__
 CLANG_FLAGS    = -std=c11 -D_GNU_SOURCE -Icmodel $(CLANG_SANITIZE)
-# Looked up when used, so that `make setup` may install them first.
+# Looked up when used.
 pkg         = $(shell pkg-config $(1))
 MODEL_LIBS  = -Wl,--as-needed $(call pkg,--libs $(MODEL_PACKAGES)) -lm
 IMAGE_LIBS  = $(call pkg,--libs OpenImageIO)
@@ -103,9 +120,10 @@ IMAGE_LIBS  = $(call pkg,--libs OpenImageIO)
 MODEL_PACKAGES := expat gmp libpng mpfr zlib
 # 1 if there is OpenImageIO, which reads textures; assimp, which reads meshes: make/mesh.mk; if the
 # live view can have a window: make/view.mk
-OIIO       := $(shell pkg-config --exists OpenImageIO && echo 1)
-ASSIMP     := $(shell pkg-config --exists assimp jansson && echo 1)
-SDL        := $(shell pkg-config --exists sdl2 && echo 1)
+exists      = $(shell pkg-config --exists $(1) 2>/dev/null && echo 1)
+OIIO       := $(call exists,OpenImageIO)
+ASSIMP     := $(call exists,assimp jansson)
+SDL        := $(call exists,sdl2)
 
 # Programs that make a table, run by hand; never part of the library.
 GENERATORS := cmodel/math/gen_rsqrt.c cmodel/math/gen_reciprocal.c cmodel/texture/gen_log2.c \
@@ -144,8 +162,11 @@ help:
 help-all: ## every target and variable
 	$(call help)
 
-setup: ## install missing packages (apt), see sim/packages.txt
-	@sh sim/setup.sh
+.PHONY: images-setup
+setup: ## install packages (apt) that the goals beside it need, or all: sim/packages.txt
+	@sh sim/setup.sh --for
+images-setup: ## installs OpenImageIO (apt): textures of other kinds than PPM, pictures than PNG
+	@sh sim/setup.sh --for $@
 
 all: tool ## everything that is built without simulators
 tool: $(TOOL) ## the command-line tool build/sphaera
@@ -169,4 +190,5 @@ layout: ## what follows from machine.def, top.def, bundles.def, modes.def, VERSI
 clean: ## remove build/
 	$(Q)[ ! -L $B ] || rm -rf -- "$$(realpath -- $B)"; rm -rf $B
 
-endif
+endif # setup with others
+endif # elsewhere

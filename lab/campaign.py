@@ -14,7 +14,7 @@ import tempfile
 import time
 
 from .jobs import plan, slurm, store
-from .study.keys import MODEL
+from .sweep.measures import MODEL
 
 SOURCES = [*MODEL, "tests/hard/*.[ch]", "tool:gcc"]
 RATE = 500000        # cases a second of a processor, about

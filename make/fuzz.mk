@@ -53,12 +53,12 @@ $(patsubst %.cpp,$(FUZZ)/afl/obj/%.o,$(IMAGE_CXX)): $(FUZZ)/afl/obj/%.o: $B/obj/
 	@cp $< $@
 
 $B/asan/obj/%.o: %.cpp $B/flags
-	$(call say,CXX,"$(<F) sanitized")
+	$(call progress,CXX,"$(<F) sanitized")
 	@mkdir -p $(@D)
 	$(call compile_whole,$(CXX) $(CXXFLAGS) $(SANITIZE) \
 	    $(call pkg,--cflags OpenImageIO | sed 's/-I/-isystem /g'))
 $B/clang/obj/%.o: %.cpp $B/flags
-	$(call say,CXX,"$(<F) sanitized by clang")
+	$(call progress,CXX,"$(<F) sanitized by clang")
 	@mkdir -p $(@D)
 	$(call compile_whole,$(CCACHE) clang++ -std=c++17 -Icmodel $(CLANG_SANITIZE) \
 	    $(call pkg,--cflags OpenImageIO | sed 's/-I/-isystem /g'))

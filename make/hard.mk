@@ -38,7 +38,7 @@ hard-lists: $B/test/hard ## prints the named cases, their families, and which no
 
 .PHONY: hard hard-page hard-lists hard-pictures
 $B/test/obj/%.o: %.c $B/flags
-	$(call say,CC,$(<F))
+	$(call progress,CC,$(<F))
 	@mkdir -p $(@D)
 	$(call compile_whole,$(CC) $(CFLAGS) $(HARD_CFLAGS))
 
@@ -51,7 +51,7 @@ $B/test/libhard.a: $(patsubst %.c,$B/test/obj/%.o,$(filter-out %/main.c %/report
                      %/campaign.c,$(HARD_C)))
 
 $B/test/asan/%.o: %.c $B/flags
-	$(call say,CC,"$(<F) sanitized")
+	$(call progress,CC,"$(<F) sanitized")
 	@mkdir -p $(@D)
 	$(call compile_whole,$(CC) $(CFLAGS) $(HARD_CFLAGS) $(SANITIZE))
 

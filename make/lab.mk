@@ -23,6 +23,13 @@ truth-setup: ## installs POV-Ray (apt), which `make truth` needs
 papers-setup: ## installs Valgrind (apt), with which `make papers` counts the model's instructions
 	@sh sim/setup.sh valgrind
 
+.PHONY: matrix matrix-setup
+matrix: ## sets up, simulates, installs, tests in roots of other releases: verification.md; an hour
+	$(Q)python3 -m lab matrix $B/matrix docs/results/verification.md
+
+matrix-setup: ## installs debootstrap (apt), which `make matrix` needs
+	@sh sim/setup.sh debootstrap
+
 # falsely dark pixels: build/test/shadow_acne SCENE.nff PROFILE --show tells each, with its ray
 ACNE_C := $(sort $(wildcard tests/shadow_acne/*.c))
 $B/test/shadow_acne: $(ACNE_C:%.c=$B/test/obj/%.o) $(MODEL)

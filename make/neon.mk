@@ -25,7 +25,7 @@ neon: ## the fast walks of aarch64, NEON and plain C, against the literal one
 	$(Q)$(NEON_RUN) $(NEON)/walks $(NEON_MACHINES)
 
 $(NEON)/obj/%.o: %.c $B/flags $B/tools/$(NEON_CC)
-	$(call say,CC,"$(<F) for aarch64")
+	$(call progress,CC,"$(<F) for aarch64")
 	@mkdir -p $(@D)
 	$(call compile_whole,$(NEON_CC) $(filter-out -m%,$(CFLAGS)) -Itests)
 

@@ -17,37 +17,38 @@ COMPILED := $(CC) $(CFLAGS) $(SHARED) / $(CXX) $(CXXFLAGS) / $(SANITIZE) / \
             $(CLANG_CC) $(CLANG_SANITIZE)
 COMPILERS := $(CC) $(CXX) $(CLANG_CC)
 $B/flags: FORCE
+	$(if $(call exists,$(MODEL_PACKAGES) jansson),,$(error not all of $(MODEL_PACKAGES) jansson are \
+	    installed: make setup tool))
 	$(call stamp,$(COMPILED),$(COMPILERS))
 $B/sources: FORCE
 	$(call stamp,$(LIB_C) / $(TOOL_C) / $(IMAGE_C) $(LAZY_C) / $(API_C))
-# In `make setup sim` and the like all else waits for what installs compilers, removes the folder
-# or makes headers.
-FIRST := $(filter setup clean layout,$(MAKECMDGOALS))
+# In `make clean sim` and the like all else waits for what removes the folder or makes headers.
+FIRST := $(filter clean layout,$(MAKECMDGOALS))
 # A rule without commands, as below, makes a target of any name: here files show that they are one.
-FILES := $(foreach f,$(if $(FIRST),$(MAKECMDGOALS)),$(if $(findstring /,$f),$f))
+FILES := $(strip $(foreach f,$(if $(FIRST),$(MAKECMDGOALS)),$(if $(findstring /,$f),$f)))
 $(if $(FILES),$(if $(filter 2,$(shell $(MAKE) -q --no-print-directory \
     $(foreach v,$(GIVEN),$(call quoted,$v=$($v))) $(FILES) >/dev/null; echo $$?)),$(error \
     nothing is made)))
 $B/flags $B/sources $(if $(FIRST),$(filter-out $(FIRST),$(MAKECMDGOALS))): | $(FIRST)
 
 $B/obj/%.o: %.c $B/flags
-	$(call say,CC,$(<F))
+	$(call progress,CC,$(<F))
 	@mkdir -p $(@D)
 	$(call compile_whole,$(CC) $(CFLAGS) $(SHARED))
 
 $B/obj/%.o: %.cpp $B/flags
-	$(call say,CXX,$(<F))
+	$(call progress,CXX,$(<F))
 	@mkdir -p $(@D)
 	$(call compile_whole,$(CXX) $(CXXFLAGS) $(SHARED) \
-	    $(call pkg,--cflags OpenImageIO | sed 's/-I/-isystem /g'))
+	    $(if $(OIIO),$(call pkg,--cflags OpenImageIO | sed 's/-I/-isystem /g')))
 
 $B/asan/obj/%.o: %.c $B/flags
-	$(call say,CC,"$(<F) sanitized")
+	$(call progress,CC,"$(<F) sanitized")
 	@mkdir -p $(@D)
 	$(call compile_whole,$(CC) $(CFLAGS) $(SANITIZE))
 
 $B/clang/obj/%.o: %.c $B/flags
-	$(call say,CC,"$(<F) sanitized by clang")
+	$(call progress,CC,"$(<F) sanitized by clang")
 	@mkdir -p $(@D)
 	$(call compile_whole,$(CLANG_CC) $(CLANG_FLAGS))
 
@@ -70,7 +71,7 @@ $(VERSION_O): override CFLAGS += -DSPHAERA_RELEASE='"$(VERSION)"'
 
 # Files that ask for more than every processor of its kind has; who calls them looks whether this
 # one has it (cmodel/fast/decode.c).
-AVX2 := $(if $(findstring x86_64,$(shell $(CC) -dumpmachine)),-mavx2)
+AVX2 := $(if $(findstring x86_64,$(shell $(CC) -dumpmachine 2>/dev/null)),-mavx2)
 $B/obj/cmodel/fast/%_avx2.o $B/asan/obj/cmodel/fast/%_avx2.o: override CFLAGS += $(AVX2)
 $B/clang/obj/cmodel/fast/%_avx2.o: override CLANG_FLAGS += $(AVX2)
 

@@ -33,6 +33,8 @@ RUN      = $(if $(ONLY),$(foreach s,$(plain),$(call chosen,$s)),$(SUITES))
 
 test: ## every check; ends with `N passed, M failed`
 	$(if $(strip $(RUN)),,@$(front) suites '$(ONLY)' $(notdir $(SUITES)))
+	$(if $(filter $B/test/%,$(RUN)),$(if $(call exists,cmocka),,$(error cmocka is not installed: \
+	    make setup test)))
 	+@unbuilt=; $(MAKE) --no-print-directory -k suites || unbuilt=1; \
 	    UNBUILT=$$unbuilt BUILD=$B JOBS=$(JOBS) sh tests/run.sh $(RUN)
 
@@ -50,17 +52,17 @@ TEST_LIBS = $(call pkg,--libs cmocka) $(MODEL_LIBS)
 
 vpath test_%.c $(sort $(dir $(TEST_C)))
 $B/test/test_%.o: test_%.c $B/flags
-	$(call say,TEST,test_$*)
+	$(call progress,TEST,test_$*)
 	@mkdir -p $(@D)
 	$(call compile_whole,$(CC) $(CFLAGS) -O1 -Itests)
 
 $B/test/test_%.sanitized.o: test_%.c $B/flags
-	$(call say,TEST,"test_$* sanitized")
+	$(call progress,TEST,"test_$* sanitized")
 	@mkdir -p $(@D)
 	$(call compile_whole,$(CC) $(CFLAGS) -Itests $(SANITIZE))
 
 $B/test/test_%.clang.o: test_%.c $B/flags
-	$(call say,TEST,"test_$* sanitized by clang")
+	$(call progress,TEST,"test_$* sanitized by clang")
 	@mkdir -p $(@D)
 	$(call compile_whole,$(CLANG_CC) $(CLANG_FLAGS) -Itests)
 

@@ -22,7 +22,7 @@ ERROR ?=
 SIZE ?= 320x180
 ## SAMPLES 1..16 N x N rays a pixel: the frame is N times as wide and high, pictures have the mean
 SAMPLES ?= 1
-## TREE reinserted|balanced|paper|paper-grown of bvh4
+## TREE reinserted|balanced|paper|paper-grown|hw of bvh4
 TREE ?= reinserted
 ## ACCEL auto|bvh4|box4|bih|brute spheres or boxes around four children, a bounding interval
 ##             hierarchy, no tree;
@@ -130,8 +130,8 @@ TOP_PARAMETERS ?=
 YOSYS ?=
 ## FLAT 0|1 if 1, make synth dissolves the hierarchy before it maps
 FLAT ?= 0
-## RESULTS <word> of make study: folder of its results
-RESULTS ?= $B/study/results
+## RESULTS <word> of make study, of sweeps: folder of their results
+RESULTS ?= $B/sweep/results
 ## ROUTE 0|1 of make study-seeds: 1 routes, too, some minutes each
 ROUTE ?= 0
 ## SEEDS <words> of it: SPEED-SEED each

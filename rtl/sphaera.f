@@ -32,6 +32,7 @@ rtl/math/rt_quotient_pool.v
 rtl/math/rt_reciprocal_rom.v
 rtl/math/rt_rsqrt_rom.v
 rtl/math/rt_square.v
+rtl/math/rt_stages.v
 rtl/math/rt_unit.v
 rtl/math/rt_unit_four.v
 rtl/math/rt_units.v

@@ -8,7 +8,7 @@
 
 values: says on stderr what is wrong with the values of the NAMEs in the environment, by the rules
 of make/variables.mk, and which of GIVEN, names of a command line, make does not know; with the
-nearest right word and the list. If sim is among the GOALS, the simulator has to be there.
+nearest right word. What GOALS need has to be there: simulator, Yosys, gnuplot.
 goals: says which of GOALS are no target of the MAKEFILEs; one with a slash is a file, which make
 looks for itself.
 suites: says that no SUITE has ONLY in its name, and which one may be meant.
@@ -20,10 +20,12 @@ import re
 import sys
 
 import variables
-from words import Wrong, lines, nearest, perhaps
+from words import Wrong, nearest, perhaps
 
 PROGRAMS = {"icarus": "iverilog", "cxxrtl": "yosys", "ecp5": "yosys", "xc7": "yosys",
             "silicon": "yosys"}
+
+NEEDS = {"synth": "yosys", "price": "gnuplot"}
 
 
 # ---- kinds of values: "" if one fits, else what is wrong ----
@@ -135,9 +137,8 @@ def wrong_value(name, rule, constants):
 
 
 def unknown_names(given, known):
-    said = [f"there is no variable {name}{perhaps(name, known)}" for name in given
-            if name not in known]
-    return said + [lines("There are", known)] if said else []
+    return [f"there is no variable {name}{perhaps(name, known, '.')} `make help-all` prints them"
+            for name in given if name not in known]
 
 
 def is_there(program):
@@ -165,10 +166,16 @@ def values(given, goals, *names):
     if {"PROFILE", "EFFECTS", "SIZES", *cores.OWN} & set(names):
         effects = os.environ.get("EFFECTS") or "auto"
         cores.key(profile, "none" if effects == "auto" else effects)
+    if "setup" in goals:
+        return
     simulator = os.environ.get("SIM", "")
-    if "sim" in goals and "setup" not in goals and \
-            not is_there(PROGRAMS.get(simulator, simulator)):
-        raise Wrong(f"SIM={simulator}: this simulator is not installed: make setup")
+    program = PROGRAMS.get(simulator, simulator)
+    if "sim" in goals and not is_there(program):
+        needs = "synth" if program == "yosys" else "sim"
+        raise Wrong(f"SIM={simulator}: this simulator is not installed: make setup {needs}")
+    for goal in set(NEEDS).intersection(goals):
+        if not is_there(NEEDS[goal]) and not (goal == "synth" and os.environ.get("YOSYS")):
+            raise Wrong(f"{NEEDS[goal]} is not installed: make setup {goal}")
 
 
 # ---- goals and suites ----

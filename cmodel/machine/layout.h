@@ -49,7 +49,8 @@
 #define SPH_TREE_BIH 3
 #define SPH_TREE_BRUTE 4
 #define SPH_TREE_BOX4 6
-#define SPH_TREE_LAST 6
+#define SPH_TREE_HW 7
+#define SPH_TREE_LAST 7
 #define SPH_BIH_STACK 64
 #define SPH_BIH_T 22
 #define SPH_BIH_V 18
@@ -59,6 +60,9 @@
 #define SPH_BOX_CROSS 17
 #define SPH_BOX_FINE 4
 #define SPH_BOX_NEAR 11
+#define SPH_BUILD_AXIS 8
+#define SPH_BUILD_DIGIT 6
+#define SPH_BUILD_STACK 512
 #define SPH_FRAMES 3
 #define SPH_SPHERE 0
 #define SPH_TRIANGLE 1

@@ -27,8 +27,16 @@ struct parse {
     size_t n_text;
 };
 
+static unsigned long line_of(const struct parse *p) {
+#if XML_MAJOR_VERSION * 1000 + XML_MINOR_VERSION >= 2009
+    return (unsigned long)XML_GetCurrentLineNumber64(p->parser);
+#else
+    return (unsigned long)XML_GetCurrentLineNumber(p->parser);
+#endif
+}
+
 static void stop(struct parse *p, const char *what) {
-    sph_fail(p->err, "%s:%lu: %s", p->path, XML_GetCurrentLineNumber(p->parser), what);
+    sph_fail(p->err, "%s:%lu: %s", p->path, line_of(p), what);
     XML_StopParser(p->parser, XML_FALSE);
 }
 
@@ -115,7 +123,7 @@ static int parse_file(struct parse *p, FILE *file) {
         n = fread(buf, 1, sizeof buf, file);
         if (ferror(file)) return sph_fail(p->err, "%s: cannot read: %s", p->path, strerror(errno));
         if (XML_Parse(p->parser, buf, (int)n, n == 0) != XML_STATUS_OK)
-            return sph_fail(p->err, "%s:%lu: %s", p->path, XML_GetCurrentLineNumber(p->parser),
+            return sph_fail(p->err, "%s:%lu: %s", p->path, line_of(p),
                             XML_ErrorString(XML_GetErrorCode(p->parser)));
     } while (n > 0);
     return p->elements->n > 1 ? 0 : sph_fail(p->err, "%s: no elements in this file", p->path);

@@ -76,9 +76,10 @@ static int accel(const sphaera_build_options *from, struct sph_build_options *o,
                  struct sph_error *err) {
     static const char *const accels[] = {"auto", "bvh4", "bih", "brute", "box4", NULL};
     static const int kinds[] = {SPH_TREE_AUTO, 0, SPH_TREE_BIH, SPH_TREE_BRUTE, SPH_TREE_BOX4};
-    static const char *const trees[] = {"paper", "balanced", "reinserted", "paper-grown", NULL};
+    static const char *const trees[] = {"paper",       "balanced", "reinserted",
+                                        "paper-grown", "hw",       NULL};
     static const int numbers[] = {SPH_TREE_PAPER, SPH_TREE_BALANCED, SPH_TREE_REINSERTED,
-                                  SPH_TREE_PAPER};
+                                  SPH_TREE_PAPER, SPH_TREE_HW};
     static const char *const ways[] = {"full", "listing", NULL};
     static const char *const axes[] = {"auto", "camera", "scene", NULL};
     enum { AUTO, BVH4, BIH, REINSERTED = 2, GROWN = 3 };

@@ -20,6 +20,7 @@ static const struct {
     {"reference", tool_reference},   {"export", tool_export}, {"operations", tool_operations},
     {"load", tool_load_board},       {"view", tool_view},     {"movie", tool_movie},
     {"trees", tool_trees},           {"price", tool_price},   {"floats", tool_floats},
+    {"sweep", tool_sweep},
 };
 enum { N_COMMANDS = sizeof commands / sizeof *commands };
 
@@ -42,6 +43,7 @@ static const char doc[] =
     "  operations   arithmetic of the test of ray and sphere, as four texts have it\n"
     "  floats   the tests of a scene's rays in float32 and float64: what these get wrong\n"
     "  trees    kinds of trees, compared by what the rays of a scene do in them\n"
+    "  sweep    every value of some axes with every other: model, RTL, synthesis; tables, plots\n"
     "  load     a machine file to a board\n"
     "  view     the golden model's picture in a window, in which one moves\n"
     "  movie    pictures of frames into one file that moves\n\n"
@@ -90,6 +92,7 @@ int main(int argc, char **argv) {
     argp_program_version = version;
     argp_err_exit_status = TOOL_USAGE;
     check_bytes(argc, argv);
+    if (argc > 1 && !strcmp(argv[1], "sweep")) return tool_sweep(argc - 1, argv + 1);
     if (guard_start()) return TOOL_USAGE;
     if (argc > 0) argv[0] = self;
     tool_parse(&argp, argc, argv, ARGP_IN_ORDER, &choice);

@@ -31,6 +31,7 @@ int tool_export(int argc, char **argv);
 int tool_operations(int argc, char **argv);
 int tool_trees(int argc, char **argv);
 int tool_floats(int argc, char **argv);
+int tool_sweep(int argc, char **argv); /* becomes another program; before guard_start() */
 int tool_price(int argc, char **argv);
 int tool_load_board(int argc, char **argv);
 int tool_view(int argc, char **argv);

@@ -5,12 +5,12 @@ import os
 import sys
 
 from ..jobs import store
-from ..study import keys
+from ..sweep import axes
 
 folder = sys.argv[1]
 source = os.path.join(folder, "source")
 os.makedirs(folder)
-key = keys.job("cells", core="none")
+key = axes.job("cells", effects="none")
 
 
 def put(text):
@@ -28,7 +28,7 @@ put("one")
 assert store.look(results, key)[0] == {"n": 1}
 os.remove(source)
 assert store.look(results, key) == (None, "sources changed")
-assert store.look(results, keys.job("cells", core="all")) == (None, "never run")
+assert store.look(results, axes.job("cells", effects="all")) == (None, "never run")
 
 
 def broken(*_):
@@ -48,5 +48,5 @@ assert store.look(results, key)[0] == {"n": 1}
 assert os.listdir(results) == [os.path.basename(store.path(results, key))], os.listdir(results)
 
 # a key is one text, whatever the order in which its words are given
-assert keys.job("cells", engines=2, core="none") == keys.job("cells", core="none", engines="2")
-assert len({store.path("", k) for k in (key, keys.job("cells", core="none", root=1))}) == 2
+assert axes.job("cells", engines=2, effects="none") == axes.job("cells", effects="none", engines="2")
+assert len({store.path("", k) for k in (key, axes.job("cells", effects="none", root_step=2))}) == 2

@@ -10,7 +10,8 @@ from pathlib import Path
 
 from ..pages import markdown
 from ..jobs import store
-from ..study import gather, keys, points, tables
+from ..study import gather, points, tables
+from ..sweep import axes
 
 folder = sys.argv[1]
 results, page = folder + "/results", folder + "/docs/results/accuracy.md"
@@ -56,16 +57,16 @@ assert row(rows, "`standard`")[1][1:] == ["-"] * 9
 for profile, base in ("draft", 40.0), ("standard", 50.0):
     for i, scene in enumerate(points.SCENES):
         psnr = None if profile == "standard" and scene == "paper100" else base + i
-        key = keys.job("accuracy", profile=profile, scene=scene, size=points.PICTURE)
+        key = axes.job("accuracy", profile=profile, scene=scene, size=points.PICTURE)
         refused = profile == "draft" and scene == "huge_tiny"
         store.save(results, key, [], {"refused": "too small"} if refused else accuracy(psnr))
         counters = {"cycles": 100000, "rays_primary": 5000, "rays_shadow": 3000,
                     "rays_reflected": 2000}
-        store.save(results, keys.job("cycles", scene=scene, size=points.FRAME,
+        store.save(results, axes.job("cycles", scene=scene, size=points.FRAME,
                                     **gather.core_of(profile)), [],
                    {"counters": counters, "cpu": 2.0})
     core = {"lut4eq": 10000 if profile == "draft" else 17900, "ff": 9000, "bram": 80, "mult": 64}
-    store.save(results, keys.job("cells", **gather.core_of(profile)), [],
+    store.save(results, axes.job("cells", **gather.core_of(profile)), [],
               {"core": core, "yosys": "Yosys 0.23 (git)"})
 said, rows = page_of()
 

@@ -5,13 +5,14 @@
 import os
 import sys
 
-from ..jobs import plan, store
+from ..jobs import store
 from ..study import points
 
 points.SCENES = ["paper100", "interpenetrating", "huge_tiny"]  # before gather sees them
 points.PICTURE = "32x18"
 
-from ..study import gather, keys, tables
+from ..study import gather, tables
+from ..sweep import axes, run
 
 TIMES = ("cpu_seconds", "reference_cpu_seconds", "build_seconds")
 OF_TIMES = "model"  # the table of the page that has them
@@ -19,14 +20,13 @@ OF_TIMES = "model"  # the table of the page that has them
 
 def wanted():
     """Jobs of pictures alone, all small."""
-    found = [keys.job("accuracy", profile=p, scene=s, size=points.PICTURE)
+    found = [axes.job("accuracy", profile=p, scene=s, size=points.PICTURE)
              for s in points.SCENES for p in points.widths()]
     return found[:len(points.widths()) + 12]
 
 
 def write(tool, build, results, name):
-    command = ["python3", "-m", "lab", "study-job", tool, build, results]
-    plan.write(name, results, [plan.job(results, k, [*command, k], 12) for k in wanted()], "study")
+    run.write(name, tool, build, results, wanted(), "study")
 
 
 def measured(folder, key):

@@ -6,6 +6,7 @@ important first, of
   key       as store.py has it
   command   words; run in the root of the tree it keeps the result, or does nothing if it counts
   cost      seconds of one processor, an estimate
+  said      what is shown of it: the key, or what tells it apart
 
 Jobs do not depend on each other."""
 import json
@@ -23,9 +24,10 @@ def missing(results, jobs, digests=None):
     return [(job, reason) for job, reason in why if reason]
 
 
-def job(results, key, command, guess):
+def job(results, key, command, guess, said=None):
     """A job that costs what it cost before, else the guess."""
-    return {"key": key, "command": list(command), "cost": store.seconds(results, key, guess)}
+    return {"key": key, "command": list(command), "cost": store.seconds(results, key, guess),
+            "said": said or key}
 
 
 def write(name, results, jobs, what):

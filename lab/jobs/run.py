@@ -16,8 +16,9 @@ def by_make(name, jobs):
     lines = ["# written by lab/jobs/run.py: the most important job first",
              ".PHONY: all " + " ".join(targets), "all: " + " ".join(targets)]
     for target, job in zip(targets, jobs):
-        command = shlex.join(job["command"]).replace("$", "$$")
-        lines += [f"{target}:", f"\t@printf '  %-4s %s\\n' JOB '{job['key']}'", f"\t@{command}"]
+        command, said = (shlex.join(words).replace("$", "$$") for words in
+                         (job["command"], [job["said"]]))
+        lines += [f"{target}:", f"\t@printf '  %-4s %s\\n' JOB {said}", f"\t@{command}"]
     intact.write(name + ".mk", "\n".join(lines) + "\n")
     sys.stdout.flush()
     os.execvp("make", ["make", "--no-print-directory", "-k", "-f", name + ".mk"])

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Across, node visits for a byte that memory gives; up, node visits a clock. No run lies above the
 roof: its flat part is the busiest unit but memory, the slope what the pins of memory give."""
-from math import log10
+from math import floor as whole, log10
 
 from .html import number, text
 from .units import LINE, lines_of, units
@@ -29,6 +29,15 @@ class Roof:
         return self.unit.clocks, self.bytes / self.peak
 
 
+def ticks(low, high):
+    """1, 2 and 5 times powers of ten between the ends of an axis; of a long one the powers alone.
+    Each as (number, text)."""
+    steps = (1, 2, 5) if high / low < 200 else (1,)
+    return [(step * 10.0 ** e, f"{step * 10.0 ** e:g}")
+            for e in range(whole(log10(low)), whole(log10(high)) + 1) for step in steps
+            if low <= step * 10.0 ** e <= high]
+
+
 def drawing(roof):
     x, y = roof.visits / roof.bytes, roof.visits / roof.clocks
     ridge = roof.rate / roof.peak
@@ -41,14 +50,24 @@ def drawing(roof):
         return f"{across:.1f},{up:.1f}"
     line = " ".join(at(px, min(roof.rate, roof.peak * px)) for px in (low, ridge, high))
     dot = at(x, y).split(",")
-    words = [(LEFT, 14, "visits a clock"), (WIDTH - 130, HEIGHT - 8, "visits a byte"),
+    numbers, marks = [], ""
+    for px, word in ticks(low, high):
+        over = float(at(px, floor).split(",")[0])
+        numbers.append((over - 4 * len(word), HEIGHT - BELOW + 17, word))
+        marks += f"M{over:.1f},{HEIGHT - BELOW}v4"
+    for py, word in ticks(floor, top):
+        up = float(at(low, py).split(",")[1])
+        numbers.append((LEFT - 8 - 8 * len(word), up + 4, word))
+        marks += f"M{LEFT},{up:.1f}h-4"
+    words = [*numbers, (LEFT + 6, 14, "visits a clock"), (WIDTH - 90, HEIGHT - 4, "visits a byte"),
              (float(at(high, roof.rate).split(",")[0]) - 190,
               float(at(high, roof.rate).split(",")[1]) - 6, roof.unit.name)]
     said = "".join(f'<text x="{a:.0f}" y="{b:.0f}" font-size="13" fill="currentColor">{text(w)}'
                    "</text>" for a, b, w in words)
     return (f'<svg viewBox="0 0 {WIDTH} {HEIGHT}" role="img" aria-label="roofline">'
             f'<polyline points="{line}" fill="none" stroke="var(--accent)" stroke-width="2"/>'
-            f'<path d="M{LEFT},0V{HEIGHT - BELOW}H{WIDTH}" fill="none" stroke="currentColor"/>'
+            f'<path d="M{LEFT},0V{HEIGHT - BELOW}H{WIDTH}{marks}" fill="none" '
+            'stroke="currentColor"/>'
             f'<circle cx="{dot[0]}" cy="{dot[1]}" r="6" fill="var(--bad)"/>{said}</svg>')
 
 

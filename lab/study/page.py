@@ -8,7 +8,8 @@ import subprocess
 from functools import partial
 
 from ..pages.place import place
-from . import gather, plots, points, run, tables
+from ..sweep import measures
+from . import gather, plots, points, tables
 
 STRIP, STRIP_SIZE = "paper100", "240x135"
 
@@ -17,14 +18,14 @@ def strips(tool, build, pictures):
     """reference | model | difference, one picture a profile."""
     for profile in points.PROFILES:
         out = os.path.join(pictures, f"strip_{profile}.png")
-        subprocess.run([tool, "accuracy", run.scene_file(tool, build, STRIP), "--profile", profile,
+        subprocess.run([tool, "accuracy", measures.scene_file(tool, build, STRIP), "--profile", profile,
                         "--size", STRIP_SIZE, "-d", out], check=True,
                        stdout=subprocess.DEVNULL)
 
 
 def main(page, results, folder, tool=None, only_tables=False):
     study = gather.Study(results)
-    run_of = study.get(gather.keys.job("cells", **gather.core_of("standard")))
+    run_of = study.get(gather.axes.job("cells", **gather.core_of("standard")))
     place(page, "make study", {name: partial(table, study)
                                for name, table in tables.TABLES.items()},
           run_of and run_of["yosys"])

@@ -15,7 +15,7 @@ set title "{title}"
 set xlabel "{xlabel}"
 set ylabel "error: rms of a channel, of 255 (log)"
 set logscale y
-set ytics (0.2, 0.5, 1, 2, 5, 10)
+set ytics ({ticks})
 set format y "%g"
 set grid lt 1 lc rgb "#dddddd"
 set xrange [{left}:{right}]
@@ -26,6 +26,7 @@ plot {parts}
 COLOURS = ["#4477aa", "#cc6677", "#228833", "#ddaa33", "#aa4499", "#66ccee", "#999933", "#882255"]
 LINE = ('"{data}" index {i} using 1:2 with linespoints pt {shape} ps {size} lw 2 '
         'lc rgb "{colour}" title "{title}"')
+TICKS = ", ".join(f"{step}e{e}" for e in range(-4, 3) for step in (1, 2, 5))
 NAMES = ('"{data}" index {i} using 1:2:3 with labels {side},{up} tc rgb "{colour}" '
          'font "sans,12" notitle')
 
@@ -60,9 +61,9 @@ def draw(out, folder, title, xlabel, series, log=False):
     xs, ys = [d[0] for d in dots], [d[1] for d in dots]
     left, right = (min(xs) / 6, max(xs) * 4) if log else (0, max(xs) * 1.2)
     with intact.beside(out) as new:
-        script = PLOT.format(out=new, title=title, xlabel=xlabel, parts=", \\\n  ".join(parts),
-                             left=left, right=right, low=min(ys) / 1.6,
-                             high=max(ys) * (4 if log else 2),
+        script = PLOT.format(out=new, title=title, xlabel=xlabel, ticks=TICKS,
+                             parts=", \\\n  ".join(parts), left=left, right=right,
+                             low=min(ys) / 1.6, high=max(ys) * (4 if log else 2),
                              more=heads(series) if log else "set key bottom left")
         subprocess.run(["gnuplot"], input=script.encode(), check=True)
     return True

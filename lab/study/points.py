@@ -1,7 +1,7 @@
 # points.py - which runs make up the study
 # SPDX-License-Identifier: Apache-2.0
 """What is to be shown first stands first: a study that is broken off has measured that."""
-from .keys import job
+from ..sweep.axes import job
 
 PROFILES = ["draft", "standard", "fine", "reference"]
 # knob: widths around standard, alone; w and wd go together upwards since w + 1 <= wd
@@ -17,7 +17,8 @@ KNOBS = {
               "standard:w=20,wd=21,pq=24", "fine:pr=16"],
 }
 # rate knobs: the picture is the same
-RATES = [{}, {"engines": 2}, {"root": 2}, {"root": 4}, {"quotient": 1}, {"quotient": 4}]
+RATES = [{}, {"engines": 2}, {"root_step": 2}, {"root_step": 4}, {"quotient_step": 1},
+         {"quotient_step": 4}]
 # beside the profiles these cores are simulated and synthesised; the others are pictures alone
 KNOB_CORES = ["standard:pr=12", "standard:w=18,wd=19,pq=20,pr=14", "standard:pq=13",
               "standard:fw=12", "standard:w=14", "standard:wd=21", "standard:ng=0"]
@@ -27,7 +28,7 @@ PICTURE, FRAME = "320x180", "96x54"      # of accuracy, of the RTL
 # kinds of scenes: what `sphaera price` is told, and the core that the scene then asks for, of which
 # cells and clock are
 KINDS = {
-    "spheres": (dict(scene="sphereflake:3", inside="on"), CORE),
+    "spheres": (dict(scene="sphereflake:3", build_more="--inside on"), CORE),
     "triangles": (dict(scene="facets/room"), "shadow+reflect2+lights2+inside+facets+turned+boxes"),
     "glass": (dict(scene="refraction/nested"),
               "shadow+reflect2+lights1+inside+facets+refract+specular+sum"),
@@ -40,7 +41,8 @@ TREES = {
     "triangles, BIH": dict(scene="facets/room", accel="bih"),
 }
 # the papers' trades, on a core that can all of it
-TRADES = [{}] + [{"background": b} for b in ("rect", "spans", "exact-0", "exact-1")] \
+TRADES = [{}] + [{"background": b} for b in ("rect", "spans", "exact")] \
+    + [{"background": "exact", "levels": 1}] \
     + [{"traverse": "first"}, {"traverse": "first", "tree": "paper"}, {"tree": "paper"}] \
     + [{"depth": d} for d in (0, 1)]
 # the short form, for continuous integration: no synthesis, one small core
@@ -54,11 +56,11 @@ def widths():
 
 
 def cores():
-    """Every core: words of CORE in jobs.py."""
-    return [dict(profile=p, core=CORE) for p in PROFILES] \
-        + [dict(profile="standard", core=CORE, **r) for r in RATES if "engines" in r] \
-        + [dict(profile="standard", core=CORE, **r) for r in RATES if r and "engines" not in r] \
-        + [dict(profile=p, core=CORE) for p in KNOB_CORES]
+    """Every core: axes of it."""
+    return [dict(profile=p, effects=CORE) for p in PROFILES] \
+        + [dict(profile="standard", effects=CORE, **r) for r in RATES if "engines" in r] \
+        + [dict(profile="standard", effects=CORE, **r) for r in RATES if r and "engines" not in r] \
+        + [dict(profile=p, effects=CORE) for p in KNOB_CORES]
 
 
 def price(words):
@@ -69,15 +71,16 @@ def price(words):
 def trade(words, scene, kind):
     """One trade on a scene; the picture against a truth of two reflections."""
     if kind == "accuracy":
-        return job(kind, scene=scene, size=PICTURE, **words)
-    core = CORE + "+cones4" if words.get("background") == "exact-1" else "all"  # all: one cone
-    return job(kind, scene=scene, size=FRAME, core=core, **words)
+        return job(kind, scene=scene, size=PICTURE, **({"truth": 2} if "depth" in words else {}),
+                   **words)
+    core = CORE + "+cones4" if "levels" in words else "all"  # all: one cone
+    return job(kind, scene=scene, size=FRAME, effects=core, **words)
 
 
 def plan():
     """All jobs of the study, the most important first."""
     keys = [price(words) for words in [of for of, _ in KINDS.values()] + list(TREES.values())]
-    keys += [job("cells", profile=p, core=core) for _, core in KINDS.values() for p in PROFILES]
+    keys += [job("cells", profile=p, effects=core) for _, core in KINDS.values() for p in PROFILES]
     keys += [job("accuracy", profile=p, scene=s, size=PICTURE) for p in widths() for s in SCENES]
     keys += [trade(t, s, "accuracy") for t in TRADES for s in SCENES]
     runs = [[job("cycles", scene=s, size=FRAME, **c) for s in SCENES] + [job("cells", **c)]
@@ -94,6 +97,6 @@ def short():
     """Some small ones: pictures, and one core."""
     keys = [job("accuracy", profile=p, scene=s, size=SHORT_SIZE)
             for p in SHORT_PROFILES for s in SHORT_SCENES]
-    return keys + [job("cycles", profile="standard", core=SHORT_CORE, scene=s, size=SHORT_SIZE)
+    return keys + [job("cycles", profile="standard", effects=SHORT_CORE, scene=s, size=SHORT_SIZE)
                    for s in SHORT_SCENES] \
         + [job("price", scene=s, size=SHORT_SIZE) for s in SHORT_SCENES]

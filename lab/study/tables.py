@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 from ..pages import whole
 from ..synth import report
-from . import gather, keys, points
+from ..sweep import axes
+from . import gather, points
 from .gather import COMMON, core_of
 
 
@@ -117,10 +118,11 @@ def rates(study):
 
 
 def trade_name(words):
-    """background=exact-1 as a reader says it."""
+    """background=exact, levels=1 as a reader says it."""
     if not words:
         return "none of them"
-    texts = {"background": "background ", "traverse": "", "tree": "tree of the ", "depth": "depth "}
+    texts = {"background": "background ", "levels": "level ", "traverse": "",
+             "tree": "tree of the ", "depth": "depth "}
     return ", ".join(texts[k] + (f"{v} hit" if k == "traverse" else str(v))
                      for k, v in words.items())
 
@@ -128,7 +130,7 @@ def trade_name(words):
 def trades(study):
     rows, base = [], None
     for words in points.TRADES:
-        pictures = [study.accuracy("standard", s, **words) for s in COMMON]
+        pictures = [study.get(points.trade(words, s, "accuracy")) for s in COMMON]
         runs = [study.get(points.trade(words, s, "cycles")) for s in COMMON]
         cycles = gather.mean(r and r["counters"]["cycles"] for r in runs)
         base = base or cycles
@@ -183,7 +185,7 @@ def kinds(study):
     for what, (words, core) in points.KINDS.items():
         prices = study.price(words)
         for p in points.PROFILES:
-            of, cells = prices.get(p), study.look(keys.job("cells", profile=p, core=core))
+            of, cells = prices.get(p), study.look(axes.job("cells", profile=p, effects=core))
             cells = cells and cells["core"]
             if of and of["core"] != core:
                 whole.lack(f"{words['scene']} asks for the core {of['core']}, not {core}")

@@ -66,14 +66,15 @@ module rt_facet_key #(
     // ---- products: det'*room and num'*size of a plane, a*num', and a*room if need be ----
     reg  [1:0]       op_q;                       // factors that the product reads
     reg  [1:0]       came_q;                     // product that comes next
-    reg              past_q, again_q;            // beyond the grid; a*room is under way
+    reg              past_q, rank_q, again_q;    // beyond the grid; its order, a*room are under way
     reg  [LW+NW-1:0] face_q;                     // det'*room
     wire             p_ready, p_done, rank_ready, divider;
     wire [LW+2*WD-1:0] product;
     wire [LW+NW-1:0] narrow;
     wire             ways    = state_q == WAY && p_ready;
     wire             scales  = state_q == SCALE && p_ready;
-    wire             again   = state_q == WAIT && past_q && !again_q && p_ready && rank_ready;
+    wire             rank_go = state_q == WAIT && past_q && !rank_q && rank_ready;
+    wire             again   = state_q == WAIT && rank_q && !again_q && p_ready;
     wire             divides = state_q == DIVIDE;
     always @(posedge clk) begin
         if (begins) begin
@@ -81,6 +82,7 @@ module rt_facet_key #(
             state_q <= plane ? WAY : WAIT;
             came_q  <= plane ? FACE : KEY;
             past_q  <= 1'b0;
+            rank_q  <= 1'b0;
             again_q <= 1'b0;
         end
         if (ways) begin
@@ -91,7 +93,8 @@ module rt_facet_key #(
             op_q    <= OF_KEY;
             state_q <= WAIT;
         end
-        if (again) again_q <= 1'b1;
+        if (rank_go) rank_q <= 1'b1;
+        if (again)   again_q <= 1'b1;
         if (p_done) begin
             came_q <= came_q + 2'd1;
             if (came_q == FACE) face_q <= narrow;
@@ -148,13 +151,13 @@ module rt_facet_key #(
             wire [WD:0]      add = {1'b0, from_q} - rank;
             wire             ranks = k_ready && k_past_q;
             always @(posedge clk) begin
-                if (again) from_q <= size_q;
+                if (rank_go) from_q <= size_q;
                 add_q    <= add[WD-1:0];
                 ranked_q <= ranked && !ranks;
                 if (rst) ranked_q <= 1'b0;
             end
             rt_divide #(.DW(MW), .QW(WD), .STEP(1), .AT_ONCE(0)) u_rank (
-                .clk(clk), .rst(rst), .in_valid_i(again), .in_ready_o(rank_ready),
+                .clk(clk), .rst(rst), .in_valid_i(rank_go), .in_ready_o(rank_ready),
                 .in_x_i(face), .in_d_i(num_q),
                 .out_valid_o(ranked), .out_ready_i(ranks),
                 .out_key_o(rank)

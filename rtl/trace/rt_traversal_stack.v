@@ -93,7 +93,8 @@ module rt_traversal_stack #(
     wire [DEPTHW-1:0] s1_top_at = s1_stack[DEPTHW-1:0] - 1'b1;
     rt_slot_ram #(.WIDTH(EW), .SLOTS(SLOTS*DEPTH), .OLD(0)) u_stack (
         .clk(clk), .wr_en_i(push), .wr_addr_i({s3_slot_q, push_at}), .wr_data_i(push_data),
-        .rd_en_i(s1_valid_q), .rd_addr_i({s1_slot_q, s1_top_at}), .rd_data_o(s2_top)
+        .rd_en_i(s1_valid_q && s1_stack[DEPTHW:0] != 0),   // it is not empty
+        .rd_addr_i({s1_slot_q, s1_top_at}), .rd_data_o(s2_top)
     );
 
     // ---- stage 2: compare ----
@@ -131,25 +132,29 @@ module rt_traversal_stack #(
         s2_valid_q <= s1_valid_q;
         s2_again_q <= s1_again_q;
         s2_slot_q  <= s1_slot_q;
-        {s2_least_q, s2_sp_q} <= s1_stack;
-        s2_depth_q <= depth_i;
+        if (s1_valid_q) begin
+            {s2_least_q, s2_sp_q} <= s1_stack;
+            s2_depth_q <= depth_i;
+        end
         s2_ends_q  <= ENDS != 0 && ends_i && hit_i;
 
         s3_valid_q <= s2_valid_q;
         s3_slot_q  <= s2_slot_q;
-        s3_sp_q    <= sp;
-        s3_least_q <= fresh ? FAR : s2_least_q;
-        s3_below_q <= t_below;
-        s3_f_q     <= {f_base, f_count, f_list};
-        s3_c_q     <= {c_base, 1'b0, c_count, 18'd0, c_list};
-        s3_t_q     <= {t_base, 1'b0, t_count, 18'd0, t_list};
-        s3_ended_q <= s2_kill || s2_ends_q;
-        s3_f_ok_q  <= f_count != 3'd0 && f_near <= depth;
-        s3_c_ok_q  <= c_count != 2'd0 && c_near <= depth;
-        s3_c_any_q <= c_count != 2'd0;
-        s3_t_any_q <= sp != 0 && s2_least_q <= depth;      // the stack holds something to visit
-        s3_t_ok_q  <= t_near <= depth;
-        s3_c_least_q <= fresh || c_near < s2_least_q;      // the current one is nearer than it
+        if (s2_valid_q) begin
+            s3_sp_q    <= sp;
+            s3_least_q <= fresh ? FAR : s2_least_q;
+            s3_below_q <= t_below;
+            s3_f_q     <= {f_base, f_count, f_list};
+            s3_c_q     <= {c_base, 1'b0, c_count, 18'd0, c_list};
+            s3_t_q     <= {t_base, 1'b0, t_count, 18'd0, t_list};
+            s3_ended_q <= s2_kill || s2_ends_q;
+            s3_f_ok_q  <= f_count != 3'd0 && f_near <= depth;
+            s3_c_ok_q  <= c_count != 2'd0 && c_near <= depth;
+            s3_c_any_q <= c_count != 2'd0;
+            s3_t_any_q <= sp != 0 && s2_least_q <= depth;      // the stack holds something to visit
+            s3_t_ok_q  <= t_near <= depth;
+            s3_c_least_q <= fresh || c_near < s2_least_q;      // the current one is nearer than it
+        end
         if (rst) begin s2_valid_q <= 1'b0; s3_valid_q <= 1'b0; end
     end
 
@@ -187,7 +192,7 @@ module rt_traversal_stack #(
 
         issue_valid_o <= go;
         issue_slot_o  <= s3_slot_q;
-        issue_line_o  <= base + {{(`RT_LINE_BITS-2){1'b0}}, list[1:0]};
+        if (s3_valid_q) issue_line_o <= base + {{(`RT_LINE_BITS-2){1'b0}}, list[1:0]};
         done_valid_o  <= s3_valid_q && !go && !again;
         done_slot_o   <= s3_slot_q;
         bubble_o      <= again;

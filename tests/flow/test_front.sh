@@ -30,10 +30,10 @@ says() { # pattern: the call was refused, with such a line
     [ "$refused" = 2 ] && grep -qE -- "$1" "$TMP/err"
 }
 refuse sim SCNE=paper5 scene=paper5
-for word in "no variable SCNE; is SCENE meant" "no variable scene; is SCENE meant" \
-    "There are SCENE PROFILE"; do
+for word in "no variable SCNE; is SCENE meant" "no variable scene; is SCENE meant"; do
     check "... $word" says "$word"
 done
+check "... a line each, and make's" [ "$(wc -l <"$TMP/err")" = 3 ]
 refuse sim SIM=questa ENGINES=9 STALL=100 LATENCY=-1 SIZE=axb DEPTH=11 JOBS=x PROFILE=draft N=0 \
     EFFECTS=shadw TREE=papre ACCEL=bhv4 BACKGROUND=rekt TRAVERSE=frist SEED=x WARM=yes TARGET=ecp \
     MAX_PRIMS=0 AT=70000 LEVELS=3 ROOT_STEP=26 QUOTIENT_STEP=14 SCENE=pape5 WINDOW=4,4,4,8 V=2 \
@@ -43,7 +43,7 @@ for word in "SIM=questa: is none of verilator, icarus, cxxrtl, ecp5, xc7, silico
     "STALL=100: is not 0 to 99$" "LATENCY=-1: is not 1 to 100000$" "JOBS=x: is not 1 to 1024$" \
     "SIZE=axb: is no size such as 640x360" "DEPTH=11: is not 0 to 10$" \
     "EFFECTS=shadw: .*; is shadow meant" \
-    "TREE=papre: is none of reinserted, balanced, paper, paper-grown; is paper meant" \
+    "TREE=papre: is none of reinserted, balanced, paper, paper-grown, hw; is paper meant" \
     "ACCEL=bhv4: .*; is bvh4 meant" "BACKGROUND=rekt: .*; is rect meant" \
     "SEED=x: is not 0 and more" "TRAVERSE=frist: .*; is first meant" "WARM=yes: is none of 0, 1$" \
     "TARGET=ecp: .*; is ecp5 meant" "MAX_PRIMS=0: is none of 1 to 16777215, infinity" \
@@ -70,7 +70,7 @@ for word in "ENGINES=two: is not 1 to 8$" "WINDOW=0,0,17,9: is not inside SIZE=1
 done
 refuse sim PIXEL=8,3 WINDOW=0,0,8,8 FOO=1
 check "... a pixel outside of the window" says "^PIXEL=8,3: is not inside WINDOW=0,0,8,8"
-check "... a word that is like none" says "^there is no variable FOO$"
+check "... a word that is like none" says '^there is no variable FOO. .make help-all. prints them$'
 refuse sim PROFILE=all
 check "... PROFILE=all, which is for make synth" says "^PROFILE=all: "
 refuse sim SCENE=sphreflake:3
@@ -100,11 +100,16 @@ done
 mkdir "$TMP/bin"
 ln -s $(find /bin/ /usr/bin/ "$(dirname "$(command -v python3)")" -maxdepth 1 -type f -o -type l) \
     "$TMP/bin" 2>"$TMP/text"
-rm -f "$TMP/bin/verilator" "$TMP/bin/iverilog"
-for word in verilator icarus; do
-    PATH=$TMP/bin refuse sim SIM=$word
-    check "without $word" says "^SIM=$word: this simulator is not installed: make setup"
-done
+rm -f "$TMP/bin/verilator" "$TMP/bin/iverilog" "$TMP/bin/yosys" "$TMP/bin/gnuplot"
+while read -r goal word what; do
+    PATH=$TMP/bin refuse $goal SIM=$word
+    check "make $goal without $word" says "$what is not installed: make setup $goal$"
+done <<'ROWS'
+sim verilator ^SIM=verilator: this simulator
+sim icarus ^SIM=icarus: this simulator
+synth verilator ^yosys
+price verilator ^gnuplot
+ROWS
 for word in "snyth" "clean snyth" "sim synths"; do
     # shellcheck disable=SC2086  # words
     refuse $word

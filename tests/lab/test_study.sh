@@ -14,7 +14,7 @@ results=$TMP/results
 
 plan() { python3 -m lab study-plan --short "$@" "$tool" "$BUILD" "$results" "$TMP/jobs"; }
 jobs() { env -u MAKEFLAGS -u MFLAGS python3 -m lab jobs make "$TMP/jobs"; }
-run() { python3 -m lab study-job "$tool" "$BUILD" "$results" "$1"; }
+run() { python3 -m lab sweep-job "$tool" "$BUILD" "$results" "$1"; }
 has() { grep -q -- "$1" "$2"; }
 says() { # pattern, command: its output has the pattern, whatever its exit code
     pattern=$1
@@ -26,7 +26,7 @@ says() { # pattern, command: its output has the pattern, whatever its exit code
 count() { ls "$results" | wc -l; }
 state() { ls -l --time-style=full-iso "$results"; }
 mine() { python3 -c "from lab.jobs import store
-from lab.study import keys
+from lab.sweep import axes
 print($1)"; }
 
 # ---- all of it, twice ----
@@ -36,16 +36,16 @@ check "a file each, and nothing else" [ "$(count)" = 5 ]
 state >"$TMP/before"
 check "nothing to run" says '5 jobs, 0 to run' plan
 check "... and nothing is run" jobs
-key=$(mine "keys.job('accuracy', scene='paper5', size='32x18')")
+key=$(mine "axes.job('accuracy', scene='paper5', size='32x18')")
 file=$(mine "store.path('$results', '$key')")
 check "a job that is there is not done again" run "$key"
 state >"$TMP/after"
 check "no file was touched" cmp "$TMP/before" "$TMP/after"
 check "model and RTL made the same visits" python3 -c "
 from lab.jobs import store
-from lab.study import keys
-core = dict(core='shadow+reflect2+lights1', scene='paper5', size='32x18')
-rtl = store.look('$results', keys.job('cycles', **core))[0]['counters']
+from lab.sweep import axes
+core = dict(effects='shadow+reflect2+lights1', scene='paper5', size='32x18')
+rtl = store.look('$results', axes.job('cycles', **core))[0]['counters']
 model = store.look('$results', '$key')[0]['counters']
 assert rtl['node_visits'] == model['node_visits'] > 0 and rtl['cycles'] >= rtl['node_visits'], rtl"
 
@@ -59,7 +59,7 @@ check "half a file is noticed" says "$file is damaged" plan
 check "... and made anew" jobs
 check "... as it was, but for the time" sh -c "grep -v 'seconds\|check' '$file' >'$TMP/new' &&
     grep -v 'seconds\|check' '$TMP/good' | cmp - '$TMP/new'"
-other=$(mine "store.path('$results', keys.job('accuracy', scene='paper5', size='32x18',
+other=$(mine "store.path('$results', axes.job('accuracy', scene='paper5', size='32x18',
     profile='draft'))")
 cp "$other" "$file"
 check "the result of another job is noticed" says "$file is damaged" plan
@@ -74,7 +74,7 @@ slow=$TMP/slow
 printf '#!/bin/sh\necho started >%s/started\nexec sleep 60\n' "$TMP" >"$slow"
 chmod +x "$slow"
 rm "$file"
-python3 -m lab study-job "$slow" "$BUILD" "$results" "$key" >"$TMP/killed" 2>&1 &
+python3 -m lab sweep-job "$slow" "$BUILD" "$results" "$key" >"$TMP/killed" 2>&1 &
 victim=$!
 tries=0
 while [ ! -f "$TMP/started" ] && [ $tries -lt 100 ]; do sleep 0.1 && tries=$((tries + 1)); done
@@ -82,16 +82,16 @@ kill -9 $victim
 check "a killed job leaves no file" sh -c "[ -f '$TMP/started' ] && [ ! -e '$file' ]"
 check "... and is to run" says '5 jobs, 1 to run' plan
 check "... and then there" sh -c "python3 -m lab jobs make '$TMP/jobs' && [ -f '$file' ]"
-refused=$(mine "keys.job('accuracy', scene='huge_tiny', size='32x18', profile='draft')")
+refused=$(mine "axes.job('accuracy', scene='huge_tiny', size='32x18', profile='draft')")
 check "a scene that the profile refuses is a result" run "$refused"
 check "... that says why" has 'nothing on the grid' "$(mine "store.path('$results', '$refused')")"
 before=$(count)
 no() { ! "$@"; }
-check "no such scene: the job fails" no run "$(mine "keys.job('accuracy', scene='x', size='8x8')")"
-check "no such profile: the job fails" no run "$(mine "keys.job('accuracy', scene='paper5',
+check "no such scene: the job fails" no run "$(mine "axes.job('accuracy', scene='x', size='8x8')")"
+check "no such profile: the job fails" no run "$(mine "axes.job('accuracy', scene='paper5',
     size='8x8', profile='huge')")"
-for bad in "kind=tea" "profile=draft" "kind=cells core=all" "$key more=1" ""; do
-    check "no job: '$bad'" says "^study: .*'$bad'" no run "$bad"
+for bad in "measure=tea" "profile=draft" "measure=cells effects=all" "$key more=1" ""; do
+    check "no job: '$bad'" says "^sweep: .*'$bad'" no run "$bad"
 done
 check "no result of any of these" [ "$(count)" = "$before" ]
 
