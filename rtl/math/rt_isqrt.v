@@ -113,7 +113,8 @@ module rt_isqrt #(
                     {lost_q, shift_q} <= {lost_d, shift_d};
                     rem_q  <= rem_d[RB:0];
                     root_q <= root_d;
-                    x_q    <= (x_d & ~({(2*RW){1'b1}} >> MOVED)) | (x_q & ({(2*RW){1'b1}} >> MOVED));
+                    x_q    <= (x_d & ~({(2*RW){1'b1}} >> MOVED)) |
+                              (x_q & ({(2*RW){1'b1}} >> MOVED));
                 end
             wire [RB:0]   rem  = s == LAST ? rem_q : rem_d[RB:0];
             wire [RB-1:0] root = s == LAST ? root_q : root_d;

@@ -3,8 +3,8 @@
 // Stands where rt_traverse and rt_traversal_stack do for nodes of four children (ACCEL of rt_core).
 //   0 issue | 1, 2 node cache | 3 node: its half | 4 ray's word of the axis | 5..9 rt_bih_step |
 //   9, 10 decision | 11 token: back to 0 a clock later
-// A ray starts at 3, in a clock in which no node comes from the cache; what of it lies in the global
-// box rt_bih_box knows by then.
+// A ray starts at 3, in a clock in which no node comes from the cache; what of it lies in the
+// global box rt_bih_box knows by then.
 // Aroxa 2014, III.B. Model: sph_bih_walk() in cmodel/trace/bih_walk.c
 `timescale 1ns / 1ps
 `default_nettype none
