@@ -45,7 +45,8 @@ module rt_build_bound #(
 
     // ---- credit: children between the two ends, which the queues below hold ----
     reg  [4:0]    under_q;
-    wire          begins, out_take = out_valid_o && out_ready_i;
+    wire          begins;
+    wire          out_take = out_valid_o && out_ready_i;
     wire          room   = !under_q[4];
     wire [3:0]    rooms;                     // the queues always have room,
     wire [1:0]    some;                      // and something when it is wanted
