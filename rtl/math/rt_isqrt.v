@@ -64,6 +64,7 @@ module rt_isqrt #(
             localparam RB     = DIGITS < 2 ? 2 : DIGITS < BW ? DIGITS : BW;
             localparam CUT    = DIGITS > BW;                   // digits may end in it
             localparam MOVED  = CLOCKS < 2 ? 0 : 2*(CLOCKS-1)*STEP;  // bits of x that move up
+            localparam [2*RW-1:0] STAY = {(2*RW){1'b1}} >> MOVED;
             wire           load  = age[BEFORE];
             wire           round = |(age[BEFORE +: KEPT+1] >> 1);
             wire [TAG-1:0] in_tag;
@@ -113,8 +114,7 @@ module rt_isqrt #(
                     {lost_q, shift_q} <= {lost_d, shift_d};
                     rem_q  <= rem_d[RB:0];
                     root_q <= root_d;
-                    x_q    <= (x_d & ~({(2*RW){1'b1}} >> MOVED)) |
-                              (x_q & ({(2*RW){1'b1}} >> MOVED));
+                    x_q    <= (x_d & ~STAY) | (x_q & STAY);
                 end
             wire [RB:0]   rem  = s == LAST ? rem_q : rem_d[RB:0];
             wire [RB-1:0] root = s == LAST ? root_q : root_d;
