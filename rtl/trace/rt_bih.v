@@ -3,8 +3,8 @@
 // Stands where rt_traverse and rt_traversal_stack do for nodes of four children (ACCEL of rt_core).
 //   0 issue | 1, 2 node cache | 3 node: its half | 4 ray's word of the axis | 5..9 rt_bih_step |
 //   9, 10 decision | 11 token: back to 0 a clock later
-// A ray starts at 3, in a clock in which no node comes from the cache; what of it lies in the
-// global box rt_bih_box knows by then.
+// A ray starts at 3, in a clock in which no node comes from the cache. What of it lies in the box
+// around all rt_bih_box knows by then.
 // Aroxa 2014, III.B. Model: sph_bih_walk() in cmodel/trace/bih_walk.c
 `timescale 1ns / 1ps
 `default_nettype none
@@ -123,10 +123,16 @@ module rt_bih #(
     wire [SLOTW-1:0] issue_slot, q_issue_slot;
     localparam LB = `RT_LINE_BITS;
     wire [LB:0]      issue_place, q_issue_place;     // {line, half}
-    wire             req_ready, rsp_valid;
+    wire             head_valid, head_ready, req_ready, rsp_valid;
+    wire [SLOTW+LB:0] head;
     rt_fifo #(.WIDTH(SLOTW+LB+1), .DEPTH(SLOTS)) u_issue_queue (
         .clk(clk), .rst(rst), .in_valid_i(issue_valid), .in_ready_o(q_issue_in),
         .in_data_i({issue_slot, issue_place}),
+        .out_valid_o(head_valid), .out_ready_i(head_ready), .out_data_o(head)
+    );
+    rt_reg_slice #(.WIDTH(SLOTW+LB+1)) u_head (      // the visits and the cache begin with a RAM
+        .clk(clk), .rst(rst),
+        .in_valid_i(head_valid), .in_ready_o(head_ready), .in_data_i(head),
         .out_valid_o(q_issue_valid), .out_ready_i(req_ready),
         .out_data_o({q_issue_slot, q_issue_place})
     );
