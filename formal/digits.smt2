@@ -63,20 +63,27 @@
 (set-info :status unsat) (check-sat)
 (pop) (pop)
 
-; ---- quotient rounded up: used = an mant + rem, 0 <= rem < an; one more bit of x ----
-(declare-const bit Int)
-(define-fun more () Int (+ (* 2 rem) bit))
-(define-fun less () Int (ite (>= more an) an 0))
+; ---- quotient rounded up, 17 bits a round: rest < 2^18 by, of it an estimate q ----
+; size: 2^(length of by); t = floor(8 rest / size); y, u21: by y = 2^20 size (1 - 41/2^24 .. 1)
+; (reciprocal.c); q = floor(t y / 2^23), but for a product of 3 bits by 3
+(declare-const rest Int) (declare-const by Int) (declare-const size Int)
+(declare-const tsize Int) (declare-const tyby Int) (declare-const qby Int)    ; products
+(define-fun two23 () Int 8388608)
 (push)
-(assert (and (> an 0) (<= 0 rem) (< rem an) (= used (+ product rem)) (<= 0 bit 1)))
+(assert (and (> by 0) (< by size) (<= size (* 2 by)) (<= 0 rest) (< rest (* 262144 by))))
+(assert (and (<= tsize (* 8 rest)) (< (* 8 rest) (+ tsize size)) (<= 0 tsize)))
+(assert (and (<= tyby (* 1048576 tsize)) (>= (* 16 tyby) (* (- 16777216 41) tsize))))
+(assert (and (<= (* two23 qby) tyby) (< tyby (+ (* two23 qby) (* two23 by) (* 49 by)))))
 (set-info :status sat) (check-sat)
 (push)
-(assert (not (and (= (+ (* 2 used) bit) (+ (* 2 product) less (- more less)))
-                  (<= 0 (- more less)) (< (- more less) an))))
+(assert (not (and (<= qby rest) (< rest (+ qby (* 2 by))))))
 (set-info :status unsat) (check-sat)
-(pop)
-; the end: an (key - 1) < used <= an key
-(define-fun up () Int (ite (= rem 0) 0 an))
-(assert (not (and (< (- (+ product up) an) used) (<= used (+ product up)))))
+(pop) (pop)
+; the end: by (key - 1) < used <= by key, with what is left below 2 by
+(push)
+(assert (and (> by 0) (<= 0 rest) (< rest (* 2 by)) (= used (+ product rest))))
+(set-info :status sat) (check-sat)
+(define-fun up () Int (ite (= rest 0) 0 (ite (<= rest by) by (* 2 by))))
+(assert (not (and (< (- (+ product up) by) used) (<= used (+ product up)))))
 (set-info :status unsat) (check-sat)
 (pop)

@@ -47,13 +47,11 @@ module rt_facet_key #(
     parameter TAG   = 30,
     parameter DW    = 50,
     parameter MW    = 49,
-    parameter STEP  = 2,
-    parameter PLANES = 1
+    parameter HOLD  = 16
 ) (
     input  wire             clk,
     input  wire             rst,
     input  wire             in_valid_i,
-    output wire             in_ready_o,
     input  wire [TAG-1:0]   in_tag_i,
     input  wire             in_plane_i,
     input  wire [DW-1:0]    in_det_i,
@@ -64,10 +62,11 @@ module rt_facet_key #(
     output wire             out_valid_o,
     input  wire             out_ready_i,
     output wire [TAG-1:0]   out_tag_o,
-    output wire [W+WD+1:0]  out_key_o
+    output wire [W+WD+1:0]  out_key_o,
+    output wire             divide_o
 );
     (* anyseq *) wire [TAG + W + WD + 3:0] any;
-    assign {in_ready_o, out_valid_o, out_tag_o, out_key_o} = any;
+    assign {divide_o, out_valid_o, out_tag_o, out_key_o} = any;
 endmodule
 module rt_fifo #(
     parameter WIDTH = 8,

@@ -1,88 +1,101 @@
-// f_divide.v - proof of rt_divide: key = ceil(x / d)
+// f_divide.v - proof of a round of rt_divide, and of the key behind the last one
 // SPDX-License-Identifier: Apache-2.0
-// With MULTIPLY a division taken in the first clock has this key ROUNDS + 1 clocks later: small
-// widths. Without, every round makes the digits of which digits.smt2 shows it for integers, and the
-// last one is rounded up: all widths.
+// From any state, with any operands before and behind: of what is there at the start of a round it
+// makes what digits.smt2 says of integers. Products are any function.
 `timescale 1ns / 1ps
 `default_nettype none
 module f_divide #(
-    parameter DW   = 6,
-    parameter QW   = 5,
-    parameter STEP = 2,
-    parameter MULTIPLY = 0
+    parameter BW = 34,
+    parameter DW = 50
 ) (
-    input wire             clk,
-    input wire             in_valid,
-    input wire [DW+QW-1:0] x,
-    input wire [DW-1:0]    d,
-    input wire             out_ready
+    input wire          clk,
+    input wire          in_valid,
+    input wire [3:0]    tag,
+    input wire [DW-1:0] a,
+    input wire [BW-1:0] b,
+    input wire [DW-1:0] d
 );
-    localparam ROUNDS = (QW + STEP - 1) / STEP;
-    localparam MW     = ROUNDS*STEP;
-    localparam CW     = $clog2(ROUNDS + 1);
-    localparam X      = DW + QW + 2;
+    localparam N = BW > 17 ? (BW + 16) / 17 : 2, BN = 17*N, RW = DW + 18, D = (DW + 16) / 17;
     wire in_ready, out_valid;
-    wire [QW:0] key;
-    rt_divide #(.DW(DW), .QW(QW), .STEP(STEP)) u_dut (
-        .clk(clk), .rst(1'b0), .in_valid_i(in_valid), .in_ready_o(in_ready), .in_x_i(x),
-        .in_d_i(d), .out_valid_o(out_valid), .out_ready_i(out_ready), .out_key_o(key)
+    wire [3:0]  out_tag;
+    wire [BW:0] key;
+    rt_divide #(.AW(DW), .BW(BW), .DW(DW), .TAG(4)) u_dut (
+        .clk(clk), .rst(1'b0), .in_valid_i(in_valid), .in_ready_o(in_ready), .in_tag_i(tag),
+        .in_a_i(a), .in_b_i(b), .in_d_i(d), .out_valid_o(out_valid), .out_tag_o(out_tag),
+        .out_key_o(key)
     );
-    (* hierconn *) wire          \u_dut.full_q , \u_dut.none_q ;
-    (* hierconn *) wire [CW-1:0] \u_dut.count_q ;
-    (* hierconn *) wire [DW-1:0] \u_dut.rem_q , \u_dut.d_q ;
-    (* hierconn *) wire [MW-1:0] \u_dut.low_q ;
-    reg [7:0]       age_q = 8'd0;
-    reg [DW+QW-1:0] x_q;
-    reg [DW-1:0]    d_q;
-    wire [X-1:0]    product = key * d_q, x_w = x_q, d_w = d_q;
-    always @(posedge clk) begin
-        if (age_q != 255) age_q <= age_q + 1'b1;
-        if (age_q == 0) {x_q, d_q} <= {x, d};
-    end
+    (* hierconn *) wire [RW-1:0] \u_dut.s0_r ;
+    (* hierconn *) wire [BN-1:0] \u_dut.s0_low , \u_dut.s7_low_q ;
+    (* hierconn *) wire [DW-1:0] \u_dut.s0_d , \u_dut.s7_d ;
+    (* hierconn *) wire [6:0]    \u_dut.s0_z , \u_dut.s7_z ;
+    (* hierconn *) wire [3:0]    \u_dut.s0_tag , \u_dut.s7_tag ;
+    (* hierconn *) wire [N-1:0]  \u_dut.s0_round , \u_dut.s7_round_q ;
+    (* hierconn *) wire [20:0]   \u_dut.s2_y ;
+    (* hierconn *) wire [DW:0]   \u_dut.s7_left_q ;
+
+    // ---- what a round makes ----
+    reg  [3:0]    age_q = 4'd0;
+    reg  [RW-1:0] r_q;
+    reg  [BN-1:0] low_q;
+    reg  [DW-1:0] d_q;
+    reg  [6:0]    z_q;
+    reg  [3:0]    tag_q;
+    reg  [N-1:0]  round_q;
+    reg  [20:0]   y_q;
+    (* anyseq *) wire [17:0]     t_high, y_high, q_any;   // constants would leave their products
+    (* anyseq *) wire [2:0]      t_low, y_low;
+    (* anyseq *) wire [17*D-1:0] d_any;
+    function [35:0] high(input [17:0] x, input [17:0] y); high = x * y;
+    endfunction
+    function [20:0] low(input [17:0] x, input [2:0] y); low = x * y;
+    endfunction
+    function [20:0] mirrored(input [2:0] x, input [17:0] y); mirrored = x * y;
+    endfunction
+    function [34:0] piece(input [17:0] x, input [16:0] y); piece = x * y;
+    endfunction
+    wire [DW+20:0] up  = {r_q, 3'd0} << z_q;
+    wire [20:0]    t   = up[DW+20 -: 21];
+    wire [38:0]    ty  = {high(t_high, y_high), 3'd0} + low(t_high, y_low) +
+                         mirrored(t_low, y_high);
+    wire [17:0]    q   = ty[37:20];
+    wire [DW:0]    qd [0:D];
+    assign qd[0] = 0;
+    genvar i;
     generate
-        if (MULTIPLY != 0) begin : g_multiply
-            always @* begin
-                if (age_q == 0) assume (in_valid && in_ready && x[DW+QW-1:QW] < d);
-                if (age_q == ROUNDS + 1)
-                    assert (out_valid && product >= x_w && product < x_w + d_w);
-            end
+        for (i = 0; i < D; i = i + 1) begin : g_piece
+            wire [DW+35:0] one = piece(q_any, d_any[17*i +: 17]);
+            assign qd[i+1] = qd[i] + (one << 17*i);
         end
     endgenerate
-
-    // ---- a round: STEP times 2 rem + the next bit of x, less d if that is possible ----
-    reg             round_q, took_q;
-    reg [CW-1:0]    count_q;
-    reg [DW-1:0]    in_d_q, rem_q;
-    reg [MW-1:0]    low_q, low_d;
-    reg [DW+1:0]    rem_d;
-    integer i;
-    always @* begin
-        rem_d = rem_q;
-        low_d = low_q;
-        for (i = 0; i < STEP; i = i + 1) begin
-            rem_d = {rem_d[DW:0], low_d[MW-1]};
-            low_d = {low_d[MW-2:0], rem_d >= in_d_q};
-            if (low_d[0]) rem_d = rem_d - in_d_q;
-        end
-    end
+    wire [DW:0]    left = r_q[DW:0] - qd[D];
+    wire [BN-1:0]  sum  = low_q + q;
+    reg  [DW:0]    left_q;
+    reg  [BN-1:0]  quotient_q;
+    reg  [DW-1:0]  by_q;
+    reg            last_q;
     always @(posedge clk) begin
-        took_q  <= in_valid && in_ready;
-        round_q <= !(in_valid && in_ready) && \u_dut.full_q && !\u_dut.none_q ;
-        count_q <= \u_dut.count_q ;
-        in_d_q  <= in_valid && in_ready ? d : \u_dut.d_q ;
-        rem_q   <= \u_dut.rem_q ;
-        low_q   <= \u_dut.low_q ;
+        if (!(&age_q)) age_q <= age_q + 1'b1;
+        if (age_q == 0)
+            {r_q, low_q, d_q, z_q, tag_q, round_q} <=
+                {\u_dut.s0_r , \u_dut.s0_low , \u_dut.s0_d , \u_dut.s0_z , \u_dut.s0_tag ,
+                 \u_dut.s0_round };
+        if (age_q == 2) y_q <= \u_dut.s2_y ;
+        if (age_q == 7)
+            {left_q, quotient_q, by_q, last_q} <=
+                {\u_dut.s7_left_q , \u_dut.s7_low_q , \u_dut.s7_d , \u_dut.s7_round_q [N-1]};
     end
-    always @* if (age_q == 0) assume (\u_dut.none_q == (\u_dut.count_q == 0));
-    always @* if (age_q == 1 && MULTIPLY == 0) begin
-        assert (\u_dut.none_q == (\u_dut.count_q == 0));
-        assume (rem_q < in_d_q || took_q);
-        assume (count_q <= ROUNDS);
-        if (took_q) assert (\u_dut.count_q == ROUNDS && \u_dut.d_q == d_q);
-        if (took_q) assert ({\u_dut.rem_q , \u_dut.low_q } == {{(MW-QW){1'b0}}, x_q});
-        if (round_q) assert (\u_dut.rem_q == rem_d && \u_dut.low_q == low_d && rem_d < in_d_q);
-        if (round_q) assert (\u_dut.count_q == count_q - 1'b1 && \u_dut.d_q == in_d_q);
-        if (out_valid) assert (key == \u_dut.low_q [QW-1:0] + (\u_dut.rem_q != 0));
+    wire [1:0] more = left_q > by_q ? 2 : left_q != 0;
+    always @* begin
+        if (age_q == 7) begin
+            assume ({t_high, t_low} == t && {y_high, y_low} == y_q && q_any == q && d_any == d_q);
+            assert (\u_dut.s7_left_q == left && \u_dut.s7_low_q == sum);
+            assert (\u_dut.s7_d == d_q && \u_dut.s7_z == z_q && \u_dut.s7_tag == tag_q);
+            assert (\u_dut.s7_round_q == round_q);
+        end
+        if (age_q == 9) begin
+            assert (out_valid == last_q);
+            if (out_valid) assert (out_tag == tag_q && key == quotient_q[BW-1:0] + more);
+        end
     end
 endmodule
 `default_nettype wire

@@ -183,10 +183,9 @@ module f_slots #(
         // a pixel that is offered and taken gets the slot that leaves the queue
         if (take) assert (primary[`RT_VECTOR_VALID]);
         if (take) assert (primary[`RT_VECTOR_SLOT] == \u_dut.free_slot );
-        // something moves: a free slot takes a pixel, one that is complete is read, or
-        // the one before it delivered
+        // something moves: a free slot takes a pixel, one that is complete is delivered
         if (!fill && n_free != 0 && primary_ready && in_valid) assert (take || repeats);
-        if (n_blend != 0 || n_sky != 0) assert (!pix_ready || pop_blend || pop_sky || out);
+        if (n_blend != 0 || n_sky != 0) assert (!pix_ready || pop_blend || pop_sky);
         // of skies and blended pixels one of the others goes before at most
         assert (!(blend_first_q && pop_blend) && !(sky_first_q && pop_sky));
         if (blend_first_q) assert (\u_dut.u_delivery.above_q == 2'd2);

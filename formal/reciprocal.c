@@ -7,6 +7,9 @@
  * linear in A, so that its ends are enough. All b of 22 bits are tried, and of longer ones, which
  * are cut, the least and the greatest of those that are cut alike.
  *
+ * rt_divide takes 21 bits of y, of any divisor as if it had been cut: with x its first 22 bits, y x
+ * 2^-42 is at least 1 - 41/2^24, and y (x + 1) 2^-42 at most 1.
+ *
  * Exit: 0 all hold, 1 one does not.
  */
 #include <stdint.h>
@@ -29,7 +32,14 @@ static int holds(uint64_t b) {
     return 1;
 }
 
+static int divides(uint64_t x) {
+    sph_u128 y = sph_reciprocal((x << 1) + 1) >> 1, one = (sph_u128)1 << 42;
+    return y * (x + 1) <= one && (y * x << 24) >= one * ((1 << 24) - 41);
+}
+
 int main(void) {
+    for (uint64_t x = 1 << (X - 1); x < 1 << X; x++)
+        if (!divides(x)) return printf("not of %llu\n", (unsigned long long)x), 1;
     for (uint64_t b = 1; b < 1 << X; b++)
         if (!holds(b)) return printf("not of %llu\n", (unsigned long long)b), 1;
     for (uint64_t x = 1 << (X - 1); x < 1 << X; x++)

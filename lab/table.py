@@ -85,6 +85,8 @@ EXPERIMENTS = [Experiment(*row) for row in (
      ["synth.clock_budget BUILD synth/clock_budget.txt"]),
     ("silicon-budget", "pJ a clock of blocks in standard cells: synth/energy_budget.txt; minutes",
      ["silicon.budget synth/energy_budget.txt"]),
+    ("silicon-knobs", "STEP, widths of blocks in standard cells: docs/results/silicon.md; minutes",
+     ["silicon.knobs BUILD docs/results/silicon.md"]),
     ("silicon-energy", "energies of frames and events: docs/results/silicon.md; 20 minutes",
      ["silicon.events docs/results/silicon.md"]),
     ("truth", "docs/results/accuracy.md: the model against POV-Ray, scene by scene",

@@ -34,6 +34,7 @@ rtl/math/rt_pool.v
 rtl/math/rt_product.v
 rtl/math/rt_quotient.v
 rtl/math/rt_quotient_pool.v
+rtl/math/rt_reciprocal.v
 rtl/math/rt_reciprocal_rom.v
 rtl/math/rt_rsqrt_rom.v
 rtl/math/rt_square.v
@@ -69,8 +70,8 @@ rtl/prim/rt_leaf_four.v
 rtl/prim/rt_leaf_sums.v
 rtl/prim/rt_leaf_two.v
 rtl/prim/rt_prim.v
-rtl/prim/rt_root_pool.v
 rtl/prim/rt_sphere.v
+rtl/prim/rt_sphere_key.v
 rtl/shade/rt_blend.v
 rtl/shade/rt_blends.v
 rtl/shade/rt_colour.v
@@ -122,6 +123,7 @@ rtl/top/rt_totals.v
 rtl/trace/rt_across.v
 rtl/trace/rt_across_one.v
 rtl/trace/rt_bih.v
+rtl/trace/rt_bih_box.v
 rtl/trace/rt_bih_ray.v
 rtl/trace/rt_bih_stack.v
 rtl/trace/rt_bih_step.v

@@ -552,10 +552,8 @@
     X(TEXTURE_COORDS, 2) \
     X(ROOTS, 0) \
     X(QUOTIENTS, 2) \
-    X(DIVISIONS, 0) \
-    X(ROOT_STEP, 2) \
+    X(ROOT_STEP, 1) \
     X(QUOTIENT_STEP, 2) \
-    X(DIVISION_STEP, 2) \
     X(LEAF_INTERVAL, 2) \
     X(FACET_INTERVAL, 0) \
     X(UNITS, 2) \
@@ -582,22 +580,20 @@
     X(LINES_COMING, (MEM_PENDING != 0 ? MEM_PENDING : MEM_DATA))
 #define SPH_EACH_RATE(X)  \
     X(FACET_CLOCKS, (FACET_INTERVAL != 0 ? FACET_INTERVAL : BOXES == 0 && W >= 18 ? 4 : 2)) \
-    X(KEY_UNITS, (DIVISIONS != 0 ? DIVISIONS : BOXES != 0 ? 3 : 1)) \
-    X(KEY_DIVISION, ((W + WD + DIVISION_STEP) / DIVISION_STEP + 1)) \
-    X(KEY_PRODUCTS, ((2 * ((WD + 16) / 17) + (2 * WD + 16) / 17) * ((2 * W + WD + 68) / 34) + 6)) \
-    X(KEY_CLOCKS, (max(KEY_DIVISION, KEY_PRODUCTS))) \
-    X(ROOT_UNITS, (ROOTS != 0 ? ROOTS : PIPES > 1 ? 6 : 3)) \
-    X(ROOT_BITS, (PR != 0 ? PR : W + WD)) \
+    X(KEY_CLOCKS, ((2 * WD + 16) / 17)) \
+    X(ROOT_STAGES, (ROOTS != 0 ? ROOTS : PIPES > 1 ? 12 : 6)) \
+    X(ROOT_ROUNDS, ((W + WD + ROOT_STEP - 1) / ROOT_STEP)) \
+    X(ROOT_CLOCKS, (ROOT_ROUNDS / ROOT_STAGES + 1)) \
     X(QUOTIENT_CLOCKS, ((PQ + QUOTIENT_STEP - 1) / QUOTIENT_STEP + 6)) \
-    X(REFRACT_CLOCKS, (62 + 11 * (WD > 17) + (ROOT_BITS + 1) / 2))
+    X(REFRACT_CLOCKS, (62 + 11 * (WD > 17) + ROOT_ROUNDS))
 #define SPH_EACH_LOAD(X)  \
-    X(node_visits, "node visits", PIPES, node_visits + ACCEL * (4*rays + node_visits - child_tests/2)) \
+    X(node_visits, "node visits", PIPES, node_visits + ACCEL * (rays + node_visits - child_tests/2)) \
     X(rays_set_up_for_planes, "rays set up for planes", PIPES, (ACCEL + BOXES > 0) * rays * 3) \
     X(records_to_tests, "records to tests", LEAF_COUNT, 2 * (leaf_tests + facet_tests)) \
     X(exact_tests_of_spheres, "exact tests of spheres", LEAF_COUNT, leaf_tests * LEAF_INTERVAL) \
     X(exact_tests_of_facets, "exact tests of facets", LEAF_COUNT, facet_tests * FACET_CLOCKS) \
-    X(keys_of_facets, "keys of facets", LEAF_COUNT * KEY_UNITS, divisions * KEY_CLOCKS) \
-    X(roots, "roots", LEAF_COUNT * ROOT_UNITS, roots * ((ROOT_BITS - 1) / ROOT_STEP + 3)) \
+    X(keys_of_facets, "keys of facets", LEAF_COUNT, divisions * KEY_CLOCKS) \
+    X(roots, "roots", LEAF_COUNT, roots * ROOT_CLOCKS) \
     X(unit_vectors, "unit vectors", SETUP_UNITS * UNITS, vectors * UNIT_INTERVAL) \
     X(quotients, "quotients", SHADE_UNITS * QUOTIENTS, quotients * QUOTIENT_CLOCKS) \
     X(points_and_normals, "points and normals", SHADE_UNITS, quotients * HIT_INTERVAL) \

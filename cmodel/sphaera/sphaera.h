@@ -106,6 +106,12 @@ typedef struct sphaera_arrays {
     const uint32_t *plane_materials;    /* [n] */
     const double *lights;               /* [n][3]: where; at most 8 */
     const double *light_colours;        /* [n][3], 0 or more; NULL: 1 / sqrt(n) */
+    uint32_t n_textures;
+    const char *const *textures;       /* [n]: files of images, which repeat */
+    const uint32_t *sphere_textures;   /* [n]: rows of textures, SPHAERA_NONE: none; NULL: none */
+    const uint32_t *triangle_textures; /* [n] likewise */
+    const double *st;                  /* [n][3][2]: s, t of the triangles' corners, 0..1 across
+                                          the image and up; of those with a texture */
 } sphaera_arrays;
 
 /* No primitives, one white material, a camera at (0, 0, 1) that looks at 0, 320x180 pixels. */

@@ -50,10 +50,6 @@ struct work {
     int64_t seen; /* pixels whose primary ray hits something */
 };
 
-static int64_t max(int64_t a, int64_t b) {
-    return a > b ? a : b;
-}
-
 static int64_t min(int64_t a, int64_t b) {
     return a < b ? a : b;
 }

@@ -142,7 +142,8 @@ def rows(name: str, given: Any, shape: Tuple[int, ...], dtype: Any = np.float64)
 
 
 def numbers(name: str, given: Any, n: int) -> Any:
-    """Numbers of materials, [n]; ValueError, by name, if there are not so many or one is < 0."""
+    """Numbers of materials or textures, [n]; ValueError, by name, if there are not so many or one
+    is < 0."""
     array = np.asarray(given)
     if array.shape != (n,):
         raise ValueError(f"{name} has shape {array.shape}, not {(n,)}")
@@ -154,8 +155,10 @@ def numbers(name: str, given: Any, n: int) -> Any:
 def scene_of(*, spheres: Any = (), triangles: Any = (), planes: Any = (), materials: Any = None,
              sphere_materials: Any = None, triangle_materials: Any = None,
              plane_materials: Any = None, normals: Any = None, lights: Any = (),
-             light_colours: Any = None, eye: Sequence[float] = (0, 0, 1),
-             at: Sequence[float] = (0, 0, 0), up: Sequence[float] = (0, 1, 0), angle: float = 45,
+             light_colours: Any = None, textures: Sequence[PathLike] = (),
+             sphere_textures: Any = None, triangle_textures: Any = None, st: Any = None,
+             eye: Sequence[float] = (0, 0, 1), at: Sequence[float] = (0, 0, 0),
+             up: Sequence[float] = (0, 1, 0), angle: float = 45,
              shift: Sequence[float] = (0, 0), width: int = 320, height: int = 180,
              background: Sequence[float] = (0, 0, 0), ambient: Sequence[float] = (0, 0, 0),
              name: str = "arrays") -> Scene:
@@ -165,6 +168,9 @@ def scene_of(*, spheres: Any = (), triangles: Any = (), planes: Any = (), materi
     planes     [n, 6]: a point, the normal     normals    [n, 3, 3] of the triangles' corners
     materials  [n, 8]: red green blue Kd Ks Shine T index, `f` of NFF; None: one, white
     ..._materials   [n]: rows of materials; None: the first
+    textures   files of images, which repeat
+    ..._textures    [n]: rows of textures, sphaera.NONE: none
+    st         [n, 3, 2]: s, t of the triangles' corners, 0 to 1 across the image and up
     lights     [n, 3], at most 8               light_colours  [n, 3]; None: 1 / sqrt(n)
     eye, at, up, angle   the camera; angle: vertical field of view, degrees
     shift                of the picture's middle to the right and up, in its heights, -64 to 64
@@ -178,6 +184,9 @@ def scene_of(*, spheres: Any = (), triangles: Any = (), planes: Any = (), materi
     lib.sphaera_arrays_init(arrays)
     kept = [ffi.new("char[]", c_text(name))]
     arrays.name = kept[0]
+    files = [ffi.new("char[]", c_text(file)) for file in textures]
+    kept += [*files, ffi.new("char *[]", files)]
+    arrays.n_textures, arrays.textures = len(files), ffi.cast("char **", kept[-1])
 
     def put(field: str, array: Any) -> None:
         kind = "double[]" if array.dtype == np.float64 else "uint32_t[]"
@@ -197,12 +206,15 @@ def scene_of(*, spheres: Any = (), triangles: Any = (), planes: Any = (), materi
             n[field] = put_rows(field, given, shape)
             setattr(arrays, "n_" + field, n[field])
     for field, given, of, shape in (("normals", normals, "triangles", (3, 3)),
-                                    ("light_colours", light_colours, "lights", (3,))):
+                                    ("light_colours", light_colours, "lights", (3,)),
+                                    ("st", st, "triangles", (3, 2))):
         if given is not None and put_rows(field, given, shape) != n[of]:
             raise ValueError(f"{field} are not as many as {of}")
     for field, given, of in (("sphere_materials", sphere_materials, "spheres"),
                              ("triangle_materials", triangle_materials, "triangles"),
-                             ("plane_materials", plane_materials, "planes")):
+                             ("plane_materials", plane_materials, "planes"),
+                             ("sphere_textures", sphere_textures, "spheres"),
+                             ("triangle_textures", triangle_textures, "triangles")):
         if given is not None:
             put(field, numbers(field, given, n[of]))
     for field, given in (("from", eye), ("at", at), ("up", up), ("background", background),

@@ -77,7 +77,7 @@ module rt_build #(
     wire [`RT_ID_BITS-1:0] id = {{(`RT_ID_BITS-AB-1){1'b0}}, came_q};
     wire          wrong = |wide || rad == 0 || |(rad >> W) ||
                           record_q[`RT_LEAF_ID_LSB +: `RT_LEAF_ID_BITS] != id ||
-                          record_q[`RT_PRIM_KIND_LSB +: `RT_PRIM_KIND_BITS] != 0;
+                          record_q[`RT_LEAF_CLEAR_LSB-1:`RT_LEAF_ID_LSB+`RT_LEAF_ID_BITS] != 0;
     wire          put   = reading && line_q;
 
     // ---- least and greatest centre ----
@@ -128,7 +128,8 @@ module rt_build #(
         .clear_i(start_i && !busy_o), .ready_o(sort_ready),
         .key_valid_i(key_q[1]), .key_i(key), .sort_i(state_q == SORT), .count_i(count),
         .done_o(sorted),
-        .a_en_i(chain_read || a_read), .a_copy_i(chain_read), .a_place_i(chain_read ? chain_place : a_place),
+        .a_en_i(chain_read || a_read), .a_copy_i(chain_read),
+        .a_place_i(chain_read ? chain_place : a_place),
         .a_id_o(id_a),
         .b_en_i(b_read), .b_place_i(b_place), .b_id_o(id_b)
     );

@@ -45,7 +45,8 @@ module rt_build_bound #(
 
     // ---- credit: children between the two ends, which the queues below hold ----
     reg  [4:0]    under_q;
-    wire          begins, out_take = out_valid_o && out_ready_i;
+    wire          begins;
+    wire          out_take = out_valid_o && out_ready_i;
     wire          room   = !under_q[4];
     wire [3:0]    rooms;                     // the queues always have room,
     wire [1:0]    some;                      // and something when it is wanted
@@ -154,8 +155,8 @@ module rt_build_bound #(
     end
 
     // ---- s1: how far apart; s2: squares; s3: their sum ----
-    reg  [W:0]    s1_apart_q [0:2];
-    reg  [2*W+1:0] s2_square_q [0:2];
+    reg  [W-1:0]  s1_apart_q [0:2];          // at most 2^W - 1
+    reg  [2*W-1:0] s2_square_q [0:2];
     reg  [2*W+1:0] s3_sum_q;
     generate
         for (i = 0; i < 3; i = i + 1) begin : g_apart
@@ -163,13 +164,16 @@ module rt_build_bound #(
                                       {K{1'b0}}};
             wire signed [W:0] to   = {b_leaf_i[W*i + W - 1], b_leaf_i[W*i +: W]};
             wire signed [W:0] d    = from - to;
+            wire [W-1:0]   minus_d = ~d[W-1:0] + 1'b1;
+            wire [2*W-1:0] square = s1_apart_q[i] * s1_apart_q[i];
             always @(posedge clk) begin
-                s1_apart_q[i]  <= d[W] ? -d : d;
-                s2_square_q[i] <= s1_apart_q[i][W-1:0] * s1_apart_q[i][W-1:0];
+                s1_apart_q[i]  <= d[W] ? minus_d : d[W-1:0];
+                s2_square_q[i] <= square;
             end
         end
     endgenerate
-    always @(posedge clk) s3_sum_q <= s2_square_q[0] + s2_square_q[1] + s2_square_q[2];
+    always @(posedge clk) s3_sum_q <= {2'b00, s2_square_q[0]} + {2'b00, s2_square_q[1]} +
+                                {2'b00, s2_square_q[2]};
 
     // ---- root: digit by digit, a stage each ----
     wire [2*ROOT-1:0] x [0:ROOT];            // digits that are left, at the top

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //   stack of runs --> [open the largest until there are four] --> children: inner ones, then leaves
 // A run is a cluster: places first to last of the order, and its pair. The children of a node go
-// to rt_build_bound one a clock, inner ones to the stack besides, the last one first. A run of which
-// more than 4^(STACK_DEPTH - level) spheres are left is cut in halves, and so is all below it.
+// to rt_build_bound one a clock, inner ones to the stack besides, the last one first. A run of more
+// than 4^(STACK_DEPTH - level) spheres is cut in halves, and so is all below it.
 // Model: sph_bt_nodes() in cmodel/build/nodes.c
 `timescale 1ns / 1ps
 `default_nettype none

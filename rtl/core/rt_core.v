@@ -128,12 +128,11 @@ module rt_core #(
     // multipliers; three leave enough of these for the squares of their filters.
     localparam SPARE_LUTS = SPILLS == 2 || (SPILLS == 0 && PIPES > 2) ? (PIPES == 4 ? 24 : 16) : 0;
     localparam LUT_SQUARES = SQUARES == 2 || (SQUARES == 0 && PIPES == 4) ? 1 : 0;
-    // Behind boxes are triangles: tests and keys keep up with a visit a clock. Elsewhere a wide
+    // Behind boxes are triangles: tests keep up with a visit a clock. Elsewhere a wide
     // facet, whose operands exceed a multiplier of 18 bits, takes its time.
-    localparam KEY_UNITS = DIVISIONS != 0 ? DIVISIONS : BOXES != 0 ? 3 : 1;
     localparam FACET_CLOCKS = FACET_INTERVAL != 0 ? FACET_INTERVAL
                               : BOXES != 0 || W < 18 ? 2 : 4;
-    localparam ROOT_UNITS = ROOTS != 0 ? ROOTS : PIPES > 1 ? 6 : 3;
+    localparam ROOT_STAGES = ROOTS != 0 ? ROOTS : PIPES > 1 ? 12 : 6;
     // Beside others a pipe sees fewer neighbours; block RAM has the room in any case.
     localparam LEAF_UNIT = PIPES > 1 ? 4*LEAF_LINES : LEAF_LINES;
     localparam ALL_SLOTS = SLOTS << $clog2(PIPES);
@@ -231,8 +230,7 @@ module rt_core #(
                 .LEAF_UNITS(LEAF_COUNT), .SHADES(SHADE_UNITS), .SETUPS(SETUP_UNITS),
                 .SLOTS(ALL_SLOTS), .SQUARES(LUT_SQUARES), .LUTS(SPARE_LUTS),
                 .STACK(`RT_STACK_DEPTH), .NODE_LINES(NODE_LINES), .LEAF_LINES(LEAF_UNIT),
-                .ROOTS(ROOT_UNITS), .DIVISIONS(KEY_UNITS),
-                .ROOT_STEP(ROOT_STEP), .DIVISION_STEP(DIVISION_STEP), .LEAF_INTERVAL(LEAF_INTERVAL),
+                .ROOTS(ROOT_STAGES), .ROOT_STEP(ROOT_STEP), .LEAF_INTERVAL(LEAF_INTERVAL),
                 .FACET_INTERVAL(FACET_CLOCKS), .UNITS(UNITS), .UNIT_INTERVAL(UNIT_INTERVAL)
             ) u_engine (
                 .clk(clk), .rst(rst), .flush_i(go && !keep_two_q), .busy_o(e_busy[e]),

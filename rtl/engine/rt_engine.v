@@ -23,9 +23,7 @@ module rt_engine #(
     parameter NODE_LINES = 256,  // node cache of a pipe
     parameter LEAF_LINES = 128,  // leaf and primitive cache of a leaf unit
     parameter ROOTS      = 3,    // square root units
-    parameter DIVISIONS  = 1,    // units of a leaf unit for keys of facets
     parameter ROOT_STEP  = 2,    // root bits a clock
-    parameter DIVISION_STEP = 2, // bits of a facet's key a clock
     parameter LEAF_INTERVAL = 2, // clocks an exact test of a sphere
     parameter FACET_INTERVAL = 2, // clocks an exact test of a facet
     parameter UNITS      = 2,    // units for unit vectors
@@ -124,8 +122,7 @@ module rt_engine #(
                .SHADES(SHADES), .SETUPS(SETUPS), .SLOTS(SLOTS), .LINES(LEAF_LINES),
                .LINE_BITS(LINE_BITS), .ROOTS(ROOTS), .ROOT_STEP(ROOT_STEP), .PR(PR),
                .LEAF_INTERVAL(LEAF_INTERVAL), .SHADOW(SHADOWS), .INSIDE(INSIDE), .FACETS(FACETS),
-               .CLEAR(CLEAR), .DIVISIONS(DIVISIONS), .DIVISION_STEP(DIVISION_STEP),
-               .FACET_INTERVAL(FACET_INTERVAL)) u_leaf_units (
+               .CLEAR(CLEAR), .FACET_INTERVAL(FACET_INTERVAL)) u_leaf_units (
         .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i), .ray_i(ray), .lift_i(lift),
         .visit_i(visit), .result_o(result), .fetch_i(fetch), .fetch_ready_o(fetch_ready),
         .record_o(record),

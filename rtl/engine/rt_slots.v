@@ -232,8 +232,7 @@ module rt_slots #(
     reg              r_valid_q, r_sky_q, p_valid_q, p_sky_q;
     reg [SLOTW-1:0]  r_slot_q, p_slot_q;
     wire             p_load = !p_valid_q || pix_ready_i;
-    // whoever takes a pixel is not looked at here: two pixels in three clocks at most
-    wire             o_load = !r_valid_q || !p_valid_q;
+    wire             o_load = !r_valid_q || p_load;
     wire             r_read = r_valid_q && p_load;
     wire             o_turn_blend, o_turn_sky, o_one;      // both wait: in turn
     rt_rr_arbiter #(.N(2)) u_delivery (
@@ -270,8 +269,6 @@ module rt_slots #(
             r_valid_q  <= o_blend || o_sky;
             r_sky_q    <= o_turn_sky && !o_sky_end;
             r_slot_q   <= o_slot;
-        end else if (p_load) begin
-            r_valid_q  <= 1'b0;
         end
         if (p_load) begin
             p_valid_q  <= r_valid_q;

@@ -1,104 +1,70 @@
-// rt_long_product.v - product of two long unsigned numbers from two 18x18 multipliers
+// rt_long_product.v - product of two long unsigned numbers, 17 bits of one a clock
 // SPDX-License-Identifier: Apache-2.0
-// p = a * b, 34 bits of a by 17 bits of b a clock: a row of a by each piece of b, the lowest first.
-//   row: sum = piece of a * piece of b + what stands there + carry; then 17 bits of p are ready
-// A row takes ceil(AW/34) + 1 clocks. Operands stand still from the clock after start_i on, until
-// ready_o is high again, in the last clock of the last row; then the next product may be started.
-// done_o comes 4 clocks later; p_o stands from then on until the pieces of the next product come.
+// p = a * b: a row of 18x18 multipliers makes a times each piece of b, the lowest first.
+//   1 operands | 2 products of pieces, those 34 bits apart side by side | 3 row | 4 sum of rows
+// A product every ceil(BW/17) clocks; done_o comes that many + 3 after start_i.
 // Model: the product itself.
 `timescale 1ns / 1ps
 `default_nettype none
 module rt_long_product #(
     parameter AW = 50,                     // bits of a
-    parameter BW = 34,                     // bits of b
-    parameter BN = 17                      // bits of a narrow b, at most BW
+    parameter BW = 34                      // bits of b
 ) (
     input  wire             clk,
     input  wire             rst,           // synchronous, active high
-    input  wire             start_i,       // while ready_o is high
-    output wire             ready_o,       // the next product may start
-    input  wire             narrow_i,      // an operand too: b has BN bits
+    input  wire             start_i,       // ceil(BW/17) clocks apart or more
     input  wire [AW-1:0]    a_i,           // uAW
     input  wire [BW-1:0]    b_i,           // uBW
-    output wire             done_o,
-    output wire [AW+BW-1:0] p_o,           // u(AW+BW)
-    output wire [AW+BN-1:0] narrow_o       // u(AW+BN), of a narrow b
+    output wire             done_o,        // p_o stands for this clock
+    output wire [AW+BW-1:0] p_o            // u(AW+BW)
 );
-    localparam A = (AW + 33) / 34, B = (BW + 16) / 17, N = (BN + 16) / 17;  // pieces
-    localparam IB = $clog2(A + 1), JB = B > 1 ? $clog2(B) : 1;
-    localparam [IB-1:0] END = A[IB-1:0];
-    localparam LAST_B = B - 1, LAST_N = N - 1;
+    localparam A = (AW + 16) / 17, B = (BW + 16) / 17;  // pieces
+    localparam PW = 17*A + 17;                          // a times a piece
 
-    // ---- step: piece of a, piece of b; the step behind the last piece shifts ----
-    reg           busy_q;
-    reg  [IB-1:0] i_q;
-    reg  [JB-1:0] j_q;
-    wire          end_row = i_q == END;
-    wire          last = end_row && j_q == (narrow_i ? LAST_N[JB-1:0] : LAST_B[JB-1:0]);
-    assign ready_o = !busy_q || last;
+    // ---- stage 1: operands; a piece of b a clock ----
+    reg  [17*A-1:0] s1_a_q;
+    reg  [17*B-1:0] s1_b_q;
+    reg  [B+2:0]    step_q;                // bit k: k+1 clocks after a start
+    assign done_o = step_q[B+2];
     always @(posedge clk) begin
-        if (busy_q) begin
-            i_q <= end_row ? {IB{1'b0}} : i_q + 1'b1;
-            j_q <= last ? {JB{1'b0}} : end_row ? j_q + 1'b1 : j_q;
-        end
-        if (ready_o) busy_q <= start_i;
-        if (rst) begin
-            busy_q <= 1'b0;
-            i_q    <= {IB{1'b0}};
-            j_q    <= {JB{1'b0}};
-        end
+        if (start_i) s1_a_q <= {{(17*A-AW){1'b0}}, a_i};
+        s1_b_q <= start_i ? {{(17*B-BW){1'b0}}, b_i} : s1_b_q >> 17;
+        step_q <= {step_q[B+1:0], start_i};
+        if (rst) step_q <= {(B+3){1'b0}};
     end
-    wire [34*A-1:0] a = {{(34*A-AW){1'b0}}, a_i};
-    wire [17*B-1:0] b = {{(17*B-BW){1'b0}}, b_i};
-    reg  [33:0] a_one, a_q;
-    reg  [16:0] b_one, b_q;
-    reg  [11:0] step_q;                    // {last, end of row, first row, step}, three stages
-    integer     n;
-    always @* begin
-        a_one = 34'd0;
-        b_one = 17'd0;
-        for (n = 0; n < A; n = n + 1)
-            a_one = a_one | (a[34*n +: 34] & {34{i_q == n[IB-1:0]}});
-        for (n = 0; n < B; n = n + 1)
-            b_one = b_one | (b[17*n +: 17] & {17{j_q == n[JB-1:0]}});
-    end
-    always @(posedge clk) begin
-        a_q <= a_one;
-        b_q <= b_one;
-        step_q <= {step_q[7:0], last, end_row, j_q == {JB{1'b0}}, busy_q};
-        if (rst) step_q <= 12'd0;
-    end
-    wire [52:0] p;
-    rt_product #(.AW(35), .BW(18)) u_product (
-        .clk(clk), .a_i($signed({1'b0, a_q})), .b_i($signed({1'b0, b_q})), .p_o(p)
-    );
 
-    // ---- sums: the row's window of p goes round, what is ready leaves below ----
-    reg  [34*A-1:0] row_q;
-    reg  [17*B-1:0] low_q;
-    reg  [16:0]     carry_q;
-    reg             done_q;
-    wire            s_step = step_q[8], s_first = step_q[9], s_end = step_q[10];
-    wire [50:0]     sum = p[50:0] + {17'd0, s_first ? 34'd0 : row_q[33:0]} + {34'd0, carry_q};
-    wire [34*A+33:0] next = {sum[33:0], row_q};
-    wire [17*B+16:0] below = {row_q[16:0], low_q};
+    // ---- stages 2 and 3: a row, of products at even and at odd pieces ----
+    wire [PW:0]  even, odd;                // a bit more, so that either may end it
+    reg  [PW-1:0] s3_row_q;
+    genvar i;
+    generate
+        for (i = 0; i < A; i = i + 1) begin : g_piece
+            reg [33:0] s2_p_q;
+            always @(posedge clk) s2_p_q <= s1_a_q[17*i +: 17] * s1_b_q[16:0];
+            if (i % 2 == 0) assign even[17*i +: 34] = s2_p_q;
+            else            assign odd[17*i +: 34]  = s2_p_q;
+        end
+        assign odd[16:0] = 17'd0;
+        if (A % 2 == 0) assign even[PW:PW-17] = 18'd0;
+        else            assign even[PW] = 1'b0;
+        if (A == 1)          assign odd[PW:17] = {(PW-16){1'b0}};
+        else if (A % 2 == 1) assign odd[PW:PW-17] = 18'd0;
+        else                 assign odd[PW] = 1'b0;
+    endgenerate
+    always @(posedge clk) s3_row_q <= even[PW-1:0] + odd[PW-1:0];
+
+    // ---- stage 4: rows, each 17 bits above the one before ----
+    reg  [PW-1:0]    s4_sum_q;
+    reg  [17*B-1:0]  s4_low_q;             // of p, the last piece 17 bits below the top
+    wire             first = step_q[2];
+    wire [17*B+16:0] low   = {s4_sum_q[16:0], s4_low_q};
     always @(posedge clk) begin
-        if (s_step) begin
-            row_q   <= s_end ? {carry_q, row_q[34*A-1:17]} : next[34*A+33:34];
-            carry_q <= s_end ? 17'd0 : sum[50:34];
-        end
-        if (s_step && s_end) low_q <= below[17*B+16:17];
-        done_q <= s_step && step_q[11];
-        if (rst) begin
-            carry_q <= 17'd0;
-            done_q  <= 1'b0;
-        end
+        s4_sum_q <= s3_row_q + (first ? {PW{1'b0}} : s4_sum_q >> 17);
+        s4_low_q <= low[17*B+16:17];
     end
-    wire [34*A+17*B-1:0] all = {row_q, low_q};
-    wire [34*A+17*N-1:0] few = all[17*(B-N) +: 34*A+17*N];
-    assign p_o      = all[AW+BW-1:0];
-    assign narrow_o = few[AW+BN-1:0];
-    assign done_o   = done_q;
-    wire unused = &{1'b0, all, few, p[52:51], next[33:0], below[16:0]};
+    wire [PW+17*B-1:0] all = {s4_sum_q, s4_low_q};
+    wire [PW+17*B-18:0] p  = all[PW+17*B-1:17];
+    assign p_o = p[AW+BW-1:0];
+    wire unused = &{1'b0, all, p, even[PW], odd[PW], low[16:0]};
 endmodule
 `default_nettype wire

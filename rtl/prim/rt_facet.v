@@ -1,9 +1,10 @@
 // rt_facet.v - triangles and planes, kinds of primitives: the exact test and the key of a hit
 // SPDX-License-Identifier: Apache-2.0
-//   test --> rt_facet_sums --> signs --+-- hit, to no light -> queue -> rt_facet_key --+--> result
-//        +-> queue: tag, a, room, size +-- others -----------> queue ------------------+
-// A facet every INTERVAL clocks. The sums cannot be held back: at most HOLD facets are under way,
-// so that the queues cannot overflow. Results leave in any order, keys first.
+//   test --> rt_facet_sums --> signs --+-- hit, to no light --> rt_facet_key --+--> result
+//        +-> queue: tag, a, room, size +-- others -----------> queue ----------+
+// A facet every INTERVAL clocks, after a plane at least `RT_FACET_PLANE. Nothing can be held back
+// behind the start: at most HOLD facets are under way, so that no queue overflows. Results leave in
+// any order, keys first.
 //   triangle  hit if s*det > 0, s*num > 0 and all s*Ui >= 0, s the sign of det, U0 = det-U1-U2
 //   plane     hit if s*det > 0, s*num > 0          to a light: a miss if s*num >= s*det
 //                                  and unless s*(num*2^NG + N.lift) > |N_x| + |N_y| + |N_z|
@@ -20,9 +21,7 @@ module rt_facet #(
     parameter SLOTS = 32,                        // power of two
     parameter NG  = 2,                           // guard bits of a hit point
     parameter SHADOW = 1,                        // 1: some rays end at a light
-    parameter INTERVAL = 2,                      // clocks a facet, 1, 2 or 4
-    parameter STEP  = 2,                         // bits of a key a clock
-    parameter UNITS = 1                          // of rt_facet_key, the first for planes too
+    parameter INTERVAL = 2                       // clocks a facet, 1, 2 or 4
 ) (
     input  wire                       clk,
     input  wire                       rst,       // synchronous, active high
@@ -53,17 +52,20 @@ module rt_facet #(
     wire [3*WD-1:0] dir = test_i[`RT_TEST_DIR];
     wire            shadow = SHADOW != 0 && test_i[`RT_TEST_SHADOW];
 
-    // ---- those under way: taken, and not yet in a divider or given ----
+    // ---- those under way: taken, and not yet given ----
     reg  [4:0] held_q;
-    reg  [1:0] pause_q;                          // clocks until the next facet may come
-    wire       divides, direct, take;
-    assign in_ready_o = held_q < HOLD && pause_q == 2'd0;
+    reg  [2:0] pause_q;                          // clocks until the next facet may come
+    wire       given, take;
+    assign in_ready_o = held_q < HOLD && pause_q == 3'd0;
     assign take = in_valid_i && in_ready_o;
     localparam [31:0] PAUSE = INTERVAL - 1;
+    localparam [31:0] PLANE_PAUSE = `RT_FACET_PLANE(W, WD) > INTERVAL ? `RT_FACET_PLANE(W, WD) - 1
+                                                                      : PAUSE;
     always @(posedge clk) begin
-        held_q <= held_q + {4'd0, take} - {4'd0, divides} - {4'd0, direct};
-        pause_q <= take ? PAUSE[1:0] : pause_q == 2'd0 ? 2'd0 : pause_q - 2'd1;
-        if (rst) {held_q, pause_q} <= 7'd0;
+        held_q <= held_q + {4'd0, take} - {4'd0, given};
+        pause_q <= take ? (plane ? PLANE_PAUSE[2:0] : PAUSE[2:0])
+                   : pause_q == 3'd0 ? 3'd0 : pause_q - 3'd1;
+        if (rst) {held_q, pause_q} <= 8'd0;
     end
 
     // ---- sums ----
@@ -217,69 +219,24 @@ module rt_facet #(
     wire hit   = !is_own && !s2_miss_q && (is_plane || !s2_out_q) &&
                  !(is_shadow && (s2_late_q || s2_behind));
     wire key   = hit && !is_shadow;
-    localparam KB = TAG + 2 + DW + MW + 2*WD + W + 1 + WD, KEYS = TAG + 1 + W + WD + 2;
-    wire            k_in, d_in, k_valid, d_valid, p_valid;
-    wire [KB-1:0]   k;
+    wire            d_in, d_valid, p_valid;
     wire [TAG+1:0]  d;
     wire [TAG:0]    p_tag;
     wire [W+WD+1:0] p_key;
-    rt_fifo #(.WIDTH(KB), .DEPTH(HOLD)) u_hits (
-        .clk(clk), .rst(rst), .in_valid_i(s2_valid_q && key), .in_ready_o(k_in),
-        .in_data_i({!s2_neg_q, a_all[AB-1 -: TAG], is_plane, s2_det_q, s2_num_q, a_all[2*WD-1:0],
-                    b_all[BB-2:0]}),
-        .out_valid_o(k_valid), .out_ready_i(divides), .out_data_o(k)
+    rt_facet_key #(.W(W), .WD(WD), .TAG(TAG+1), .DW(DW), .MW(MW), .HOLD(HOLD)) u_keys (
+        .clk(clk), .rst(rst), .in_valid_i(s2_valid_q && key),
+        .in_tag_i({!s2_neg_q, a_all[AB-1 -: TAG]}), .in_plane_i(is_plane),
+        .in_det_i(s2_det_q), .in_num_i(s2_num_q), .in_a_i(a_all[2*WD-1:0]),
+        .in_room_i(b_all[WD +: W+1]), .in_size_i(b_all[WD-1:0]),
+        .out_valid_o(p_valid), .out_ready_i(result_ready_i), .out_tag_o(p_tag), .out_key_o(p_key),
+        .divide_o(divide_o)
     );
     rt_fifo #(.WIDTH(TAG+2), .DEPTH(HOLD)) u_others (
         .clk(clk), .rst(rst), .in_valid_i(s2_valid_q && !key), .in_ready_o(d_in),
         .in_data_i({!s2_neg_q, a_all[AB-1 -: TAG], hit}),
         .out_valid_o(d_valid), .out_ready_i(result_ready_i && !p_valid), .out_data_o(d)
     );
-    // ---- keys: the lowest unit that may takes a hit, the lowest that is done gives its key ----
-    localparam [UNITS-1:0] FIRST = 1;
-    wire [UNITS-1:0] ready, done;
-    wire             k_plane = k[DW+MW+2*WD+W+1+WD];
-    wire [UNITS-1:0] may  = ready & ({UNITS{!k_plane}} | FIRST);
-    wire [UNITS-1:0] take_k = may & (~may + 1'b1) & {UNITS{k_valid}};
-    wire [UNITS-1:0] give_k = done & (~done + 1'b1);
-    wire [UNITS*KEYS-1:0] all;                   // {tag, key} of the one that gives, 0 of others
-    reg  [KEYS-1:0]  one;
-    integer          i;
-    genvar           u;
-    generate
-        for (u = 0; u < UNITS; u = u + 1) begin : g_key
-            wire [TAG:0]     tag;
-            wire [W+WD+1:0]  value;
-            rt_facet_key #(.W(W), .WD(WD), .TAG(TAG+1), .DW(DW), .MW(MW), .STEP(STEP),
-                           .PLANES(u == 0 ? 1 : 0)) u_key (
-                .clk(clk), .rst(rst), .in_valid_i(take_k[u]), .in_ready_o(ready[u]),
-                .in_tag_i(k[KB-1 -: TAG+1]), .in_plane_i(k_plane),
-                .in_det_i(k[MW+2*WD+W+1+WD +: DW]), .in_num_i(k[2*WD+W+1+WD +: MW]),
-                .in_a_i(k[W+1+WD +: 2*WD]), .in_room_i(k[WD +: W+1]), .in_size_i(k[WD-1:0]),
-                .out_valid_o(done[u]), .out_ready_i(give_k[u] && result_ready_i),
-                .out_tag_o(tag), .out_key_o(value)
-            );
-            assign all[KEYS*u +: KEYS] = give_k[u] ? {tag, value} : {KEYS{1'b0}};
-            // for benches: {turned away, taken, clocks of work}
-            wire [7:0] work_keys_of_facets /* verilator public_flat_rd */ =
-                {k_valid && !divides, take_k[u], 5'd0,
-                 take_k[u] || !ready[u]};
-        end
-    endgenerate
-    always @* begin
-        one = {KEYS{1'b0}};
-        for (i = 0; i < UNITS; i = i + 1) one = one | all[KEYS*i +: KEYS];
-    end
-    assign divides = |take_k;
-    generate
-        if (UNITS > 1) begin : g_first               // planes wait for the first unit
-            wire [7:0] work_keys_of_planes /* verilator public_flat_rd */ =
-                {k_valid && k_plane && !ready[0], take_k[0] && k_plane, 5'd0, k_valid && k_plane};
-        end
-    endgenerate
-    assign divide_o = divides;
-    assign p_valid = |done;
-    assign {p_tag, p_key} = one;
-    assign direct = d_valid && result_ready_i && !p_valid;
+    assign given = (p_valid || d_valid) && result_ready_i;
     assign result_o[`RT_RESULT_VALID] = p_valid || d_valid;
     assign {result_o[`RT_RESULT_FAR], result_o[`RT_RESULT_SLOT], result_o[`RT_RESULT_ID]} =
         p_valid ? p_tag : d[TAG+1:1];
@@ -287,8 +244,8 @@ module rt_facet #(
     assign result_o[`RT_RESULT_KEY] = p_valid ? p_key : {{(W+WD+1){1'b0}}, 1'b1};
     // for benches: {turned away, taken, clocks of work}
     wire [7:0] work_exact_tests_of_facets /* verilator public_flat_rd */ =
-        {in_valid_i && !in_ready_o, take, 5'd0, take || pause_q != 2'd0};
-    wire unused = &{1'b0, a_in, a_valid, b_in, b_valid, k_in, d_in, size_d, size_n, reach[5:0],
+        {in_valid_i && !in_ready_o, take, 5'd0, take || pause_q != 3'd0};
+    wire unused = &{1'b0, a_in, a_valid, b_in, b_valid, d_in, size_d, size_n, reach[5:0],
                     test_i, record};
 endmodule
 `default_nettype wire

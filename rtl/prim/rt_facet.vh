@@ -13,3 +13,6 @@
 `define RT_FACET_SUMS_LATENCY(w, wd, interval) \
     (`RT_MUL_LATENCY(`RT_FACET_NARROW(w, wd)) + ((interval) == 4 ? 1 : 0) + 4 + (interval) + \
      `RT_PRODUCT_LATENCY(`RT_FACET_WIDE(w, wd)))
+
+// rt_facet_key: clocks from a plane to the next, two products by a component of dir, pieces of 17.
+`define RT_FACET_PLANE(w, wd) (2*((`RT_FACET_NARROW(w, wd) + 16) / 17))

@@ -26,8 +26,6 @@ module rt_prim #(
     parameter INSIDE = 1,   // 1: rays that start inside a sphere
     parameter FACETS = 0,   // 1: triangles and planes too, a line a leaf
     parameter CLEAR  = 0,   // 1: shadow rays pass what is marked as clear
-    parameter DIVISIONS = 1, // units for their keys
-    parameter DIVISION_STEP = 2, // bits of a key a clock
     parameter FACET_INTERVAL = 2 // clocks an exact test of a facet: 1, 2 or 4
 ) (
     input  wire                       clk,
@@ -107,8 +105,7 @@ module rt_prim #(
             assign mine[FACET] = whole && (kind_is(head, `RT_TRIANGLE) || kind_is(head, `RT_PLANE));
             assign event_o[`RT_PRIM_EVENT_FACET] = taken && mine[FACET];
             rt_facet #(.W(W), .WD(WD), .NG(NG), .SLOTS(SLOTS), .SHADOW(SHADOW),
-                       .INTERVAL(FACET_INTERVAL), .STEP(DIVISION_STEP),
-                       .UNITS(DIVISIONS)) u_facet (
+                       .INTERVAL(FACET_INTERVAL)) u_facet (
                 .clk(clk), .rst(rst),
                 .in_valid_i(in_valid_i && to[FACET]), .in_ready_o(ready[FACET]), .test_i(test_i),
                 .result_o(facet_result), .result_ready_i(give[FACET]),

@@ -215,12 +215,12 @@ module rt_refract #(
     // ---- root ----
     wire [RB-1:0] root;
     wire [5:0]    zeros;
-    wire          root_in, inexact;
+    wire          root_in, inexact, root_tag;
     rt_isqrt #(.XW(QW), .STEP(STEP), .BITS(PR)) u_isqrt (
         .clk(clk), .rst(rst), .in_valid_i(state_q == TEST && !total),
-        .in_ready_o(root_in), .in_x_i(acc_q[2*S +: QW]),
-        .out_valid_o(root_valid), .out_ready_i(1'b1), .out_root_o(root), .out_shift_o(zeros),
-        .out_inexact_o(inexact)
+        .in_ready_o(root_in), .in_x_i(acc_q[2*S +: QW]), .in_tag_i(1'b0),
+        .out_valid_o(root_valid), .out_root_o(root), .out_shift_o(zeros),
+        .out_inexact_o(inexact), .out_tag_o(root_tag)
     );
     wire [LW-1:0] root_long = {{(LW-RB-S){1'b0}}, root, {S{1'b0}}} << zeros;
     always @(posedge clk)
@@ -242,6 +242,6 @@ module rt_refract #(
     // for benches: {turned away, taken, clocks of work}
     wire [7:0] work_refracted_directions /* verilator public_flat_rd */ =
         {in_valid_i && !in_ready_o, take, 5'd0, take || !in_ready_o};
-    wire unused = &{1'b0, root_in, inexact, r_less[RW], row};
+    wire unused = &{1'b0, root_in, inexact, root_tag, r_less[RW], row};
 endmodule
 `default_nettype wire

@@ -5,7 +5,7 @@
 // any other goes by in the same clock. The facet's own normal and its square leave beside.
 //   surface --> queue --> fetch, with that of rt_surface --> queue --> one multiplier --> normalise
 //   operands | difference | product | sum of three | shift | shift | add | turn | normalise
-// A normal every 22 clocks, 29 clocks behind its record. One that is zero stays the facet's own.
+// A normal every 21 clocks, 29 clocks behind its record. One that is zero stays the facet's own.
 // Model: sph_smooth_normal() in cmodel/shade/surface.c, sph_surface_bend() in surface.c
 `timescale 1ns / 1ps
 `default_nettype none
@@ -266,7 +266,7 @@ module rt_smooth #(
     wire [3*WD-1:0]      n_normal;
     wire                 in_direct = in_valid && !in_bent;
     wire                 o_go = o_wait_q && !in_direct;
-    assign done = feed_q[0];
+    assign done = all_q;
     always @(posedge clk) begin
         feed_q <= {feed_q[1:0], all_q};
         if (all_q) {z_q, y_q, x_q} <= feed_v;

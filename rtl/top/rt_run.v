@@ -58,6 +58,7 @@ module rt_run (
     reg  [2:0] state_q;
     reg        keep_q, bad_q;
     reg  [1:0] dead_q;                  // {write, read}
+    reg        empty_q;                 // pixels do not begin anew in FLUSH
     reg        halt_q;                  // DRAIN, or reads are dead: reaches all of the core
     wire [1:0] dead;                    // dead_q from the next clock on
     wire       anew   = order_i[`RT_TOP_CONTROL_SOFT_RESET];
@@ -73,11 +74,12 @@ module rt_run (
             WAIT:    if (room_i)       state_q <= START;
             START:                     state_q <= DRAW;
             DRAW:    if (!core_busy_i) state_q <= FLUSH;
-            FLUSH:   if (write_empty_i || dead_q[1]) state_q <= END;
+            FLUSH:   if (empty_q || dead_q[1]) state_q <= END;
             END:                       state_q <= IDLE;
             DRAIN:   if (quiet)        state_q <= IDLE;
             default: if (accept)       state_q <= LOAD;
         endcase
+        empty_q <= write_empty_i;
         if (stop) state_q <= DRAIN;
         halt_q <= !rst && (stop || (state_q == DRAIN && !quiet) || dead[0]);
         if (accept) keep_q <= order_i[`RT_TOP_CONTROL_KEEP_CACHE];

@@ -3,8 +3,8 @@
 // Stands where rt_traverse and rt_traversal_stack do for nodes of four children (ACCEL of rt_core).
 //   0 issue | 1, 2 node cache | 3 node: its half | 4 ray's word of the axis | 5..9 rt_bih_step |
 //   9, 10 decision | 11 token: back to 0 a clock later
-// A ray starts at 3, and each axis of the global box is cut from there, in clocks in which no node
-// comes from the cache. A ray without records of no node (N_LOOSE 0) starts with axis x of the box.
+// A ray starts at 3, in a clock in which no node comes from the cache. What of it lies in the box
+// around all rt_bih_box knows by then.
 // Aroxa 2014, III.B. Model: sph_bih_walk() in cmodel/trace/bih_walk.c
 `timescale 1ns / 1ps
 `default_nettype none
@@ -82,7 +82,6 @@ module rt_bih #(
     wire [`RT_LINE_BITS-1:0] leaf_base = regs_i[`RT_REGS_LEAF_BASE];
     wire [`RT_ID_BITS-1:0] n_prims     = regs_i[`RT_REGS_N_PRIMS];
     wire [`RT_ID_BITS-1:0] n_loose     = regs_i[`RT_REGS_N_LOOSE];
-    wire [6*CW-1:0]  box       = regs_i[`RT_REGS_BOX];
 
     // ---- rays: their words, how far they go (RT_RAY_SHADOW: to the key of a light) ----
     wire [2*WD+TW-1:0] light = {{TW{1'b0}}, ray_i[`RT_RAY_A]} >> T;
@@ -109,27 +108,36 @@ module rt_bih #(
         .start_pixel_o(start_pixel)
     );
 
-    // ---- tokens: nodes to visit, axes of the box ----
-    wire             issue_valid, box_valid, q_issue_in, q_box_in, q_issue_valid, q_box_valid;
-    wire [SLOTW-1:0] issue_slot, box_slot, q_issue_slot, q_box_slot;
+    wire             span_valid;
+    wire [SLOTW-1:0] span_slot;
+    wire [2*TW-1:0]  span;
+    rt_bih_box #(.W(W), .SLOTS(SLOTS)) u_box (
+        .clk(clk), .rst(rst), .box_i(regs_i[`RT_REGS_BOX]), .place_i(place),
+        .pace_valid_i(pace_valid), .pace_slot_i(pace_slot), .pace_axis_i(pace_axis),
+        .pace_i(pace),
+        .span_valid_o(span_valid), .span_slot_o(span_slot), .span_o(span)
+    );
+
+    // ---- tokens: nodes to visit ----
+    wire             issue_valid, q_issue_in, q_issue_valid;
+    wire [SLOTW-1:0] issue_slot, q_issue_slot;
     localparam LB = `RT_LINE_BITS;
     wire [LB:0]      issue_place, q_issue_place;     // {line, half}
-    wire [1:0]       box_axis, q_box_axis;
-    wire             req_ready, rsp_valid;
-    wire             put_box = q_box_valid && !rsp_valid;
+    wire             head_valid, head_ready, req_ready, rsp_valid;
+    wire [SLOTW+LB:0] head;
     rt_fifo #(.WIDTH(SLOTW+LB+1), .DEPTH(SLOTS)) u_issue_queue (
         .clk(clk), .rst(rst), .in_valid_i(issue_valid), .in_ready_o(q_issue_in),
         .in_data_i({issue_slot, issue_place}),
+        .out_valid_o(head_valid), .out_ready_i(head_ready), .out_data_o(head)
+    );
+    rt_reg_slice #(.WIDTH(SLOTW+LB+1)) u_head (      // the visits and the cache begin with a RAM
+        .clk(clk), .rst(rst),
+        .in_valid_i(head_valid), .in_ready_o(head_ready), .in_data_i(head),
         .out_valid_o(q_issue_valid), .out_ready_i(req_ready),
         .out_data_o({q_issue_slot, q_issue_place})
     );
-    rt_fifo #(.WIDTH(SLOTW+2), .DEPTH(SLOTS)) u_box_queue (
-        .clk(clk), .rst(rst), .in_valid_i(box_valid), .in_ready_o(q_box_in),
-        .in_data_i({box_slot, box_axis}),
-        .out_valid_o(q_box_valid), .out_ready_i(!rsp_valid), .out_data_o({q_box_slot, q_box_axis})
-    );
     // A start writes the visits too, so it waits while a node is issued.
-    assign put_start = start_valid && !rsp_valid && !q_box_valid && !q_issue_valid;
+    assign put_start = start_valid && !rsp_valid && !q_issue_valid;
 
     // ---- issue: count the visit ----
     wire             issue      = q_issue_valid && req_ready;
@@ -182,28 +190,24 @@ module rt_bih #(
         .miss_o(event_o[`RT_TRACE_EVENT_MISS])
     );
 
-    // ---- t1: a node, an axis of the box between its planes, or a start ----
-    reg              t1_valid_q, t1_node_q, t1_box_q, t1_kill_q;
+    // ---- t1: a node or a start ----
+    reg              t1_valid_q, t1_node_q, t1_kill_q;
     reg [SLOTW-1:0]  t1_slot_q;
     reg [95:0]       t1_words_q;                     // of the node
-    reg [1:0]        t1_box_axis_q;
     reg              sound_q;                        // the registers let a ray start
     wire [LB:0]      records = {1'b0, leaf_base} + {{(LB+1-`RT_ID_BITS){1'b0}}, n_prims};
     always @(posedge clk) begin
-        t1_valid_q    <= rsp_valid || put_box || put_start;
-        t1_node_q     <= rsp_valid;
-        t1_box_q      <= put_box || (put_start && n_loose == {`RT_ID_BITS{1'b0}});
-        t1_kill_q     <= rsp_valid ? rsp_kill || rsp_error : !put_box && !sound_q;
-        t1_slot_q     <= rsp_valid ? rsp_slot : put_box ? q_box_slot : start_slot;
-        t1_words_q    <= rsp_half ? rsp_data[128 +: 96] : rsp_data[95:0];
-        t1_box_axis_q <= put_box ? q_box_axis : 2'd0;
-        sound_q       <= root < mem_lines && records <= {1'b0, mem_lines} &&
-                         n_loose <= n_prims;
+        t1_valid_q <= rsp_valid || put_start;
+        t1_node_q  <= rsp_valid;
+        t1_kill_q  <= rsp_valid ? rsp_kill || rsp_error : !sound_q;
+        t1_slot_q  <= rsp_valid ? rsp_slot : start_slot;
+        t1_words_q <= rsp_half ? rsp_data[128 +: 96] : rsp_data[95:0];
+        sound_q    <= root < mem_lines && records <= {1'b0, mem_lines} && n_loose <= n_prims;
         if (rst) t1_valid_q <= 1'b0;
     end
     wire [28:0]      t1_child = t1_words_q[`RT_BIH_CHILD_LSB +: 29];
     wire             t1_fit   = t1_words_q[`RT_BIH_FIT_LSB];
-    wire [1:0]       t1_axis  = t1_box_q ? t1_box_axis_q : t1_words_q[`RT_BIH_AXIS_LSB +: 2];
+    wire [1:0]       t1_axis  = t1_words_q[`RT_BIH_AXIS_LSB +: 2];
     wire             t1_leaf  = t1_axis == 2'd`RT_BIH_LEAF;
     wire [31:0]      t1_first = t1_words_q[`RT_BIH_FIRST_LSB +: 32];
     wire [31:0]      t1_count = t1_words_q[`RT_BIH_COUNT_LSB +: 32];
@@ -234,23 +238,18 @@ module rt_bih #(
     localparam NB = 2*`RT_ID_BITS;                   // {count, first} of leaf records
     reg [NB-1:0]     t2_data_q;
     reg signed [CW-1:0] t2_l_q, t2_r_q;
-    wire [CW-1:0]    box_end   = t1_box_axis_q[1] ? box[5*CW +: CW]
-                                 : t1_box_axis_q[0] ? box[4*CW +: CW] : box[3*CW +: CW];
-    wire [CW-1:0]    box_begin = t1_box_axis_q[1] ? box[2*CW +: CW]
-                                 : t1_box_axis_q[0] ? box[CW +: CW] : box[0 +: CW];
     wire             t1_live = t1_valid_q && t1_node_q && !t1_kill_q;
     always @(posedge clk) begin
         t2_valid_q <= t1_valid_q;
         t2_node_q  <= t1_valid_q && t1_node_q;
         t2_slot_q  <= t1_slot_q;
         t2_kind_q  <= t1_kill_q || (t1_node_q && t1_bad) ? `RT_BIH_KILL
-                      : t1_box_q ? `RT_BIH_BOX_X + {1'b0, t1_box_axis_q}
                       : !t1_node_q ? `RT_BIH_START
                       : t1_leaf ? `RT_BIH_LEAVE : t1_fit ? `RT_BIH_FIT : `RT_BIH_INNER;
         t2_data_q  <= t1_leaf ? {t1_count[`RT_ID_BITS-1:0], t1_first[`RT_ID_BITS-1:0]}
                               : {{(NB-LB){1'b0}}, t1_line[LB-1:0]};
-        t2_l_q     <= t1_box_q ? box_end : t1_fit ? t1_r : t1_l;
-        t2_r_q     <= t1_box_q ? box_begin : t1_fit ? t1_l : t1_r;
+        t2_l_q     <= t1_fit ? t1_r : t1_l;
+        t2_r_q     <= t1_fit ? t1_l : t1_r;
         visit_q       <= issue && !bad_limit;
         tests_q       <= t1_live && !t1_bad && !t1_leaf ? 3'd2 : 3'd0;
         bad_node_q    <= (t1_live && t1_bad) || (put_start && !sound_q);
@@ -292,6 +291,7 @@ module rt_bih #(
     rt_bih_stack #(.SLOTS(SLOTS), .ENDS(SHADOW), .FACETS(FACETS)) u_next (
         .clk(clk), .rst(rst), .facets_on_i(effects[`RT_EFFECT_FACETS]), .root_i(root),
         .leaf_base_i(leaf_base), .n_loose_i(n_loose),
+        .box_valid_i(span_valid), .box_slot_i(span_slot), .box_span_i(span),
         .node_valid_i(t2_node_q), .node_slot_i(t2_slot_q), .node_i(t2_data_q),
         .pass_valid_i(pass_valid), .pass_slot_i(pass_slot), .pass_kind_i(pass_kind),
         .step_back_i(s_back), .step_near_i(s_near), .step_far_i(s_far),
@@ -300,7 +300,6 @@ module rt_bih #(
         .read_o(limit_read_o), .slot_o(limit_slot_o), .limit_i(limit_i), .hit_i(hit_i),
         .ends_i(ends_i),
         .issue_valid_o(issue_valid), .issue_slot_o(issue_slot), .issue_place_o(issue_place),
-        .box_valid_o(box_valid), .box_slot_o(box_slot), .box_axis_o(box_axis),
         .leaf_valid_o(visit_o[`RT_VISIT_VALID]), .leaf_slot_o(visit_o[`RT_VISIT_SLOT]),
         .leaf_mask_o(visit_o[`RT_VISIT_LEAF]), .leaf_count_o(count_o),
         .leaf_line_o(visit_o[`RT_VISIT_LINE]),
@@ -310,11 +309,10 @@ module rt_bih #(
     );
     // for benches: {turned away, taken, clocks of work}
     wire [7:0] work_node_visits /* verilator public_flat_rd */ =
-        {(q_box_valid && !put_box) || (start_valid && !put_start), issue, 5'd0,
-         rsp_valid || put_box || put_start};
+        {start_valid && !put_start, issue, 5'd0, rsp_valid || put_start};
     wire [7:0] work_node_cache /* verilator public_flat_rd */ =
         {q_issue_valid && !req_ready, issue, 5'd0, issue};
-    wire unused = &{1'b0, q_issue_in, q_box_in, regs_i, effects, ray_i, rsp_data[255:224],
+    wire unused = &{1'b0, q_issue_in, regs_i, effects, ray_i, rsp_data[255:224],
                     rsp_data[127:96], t1_words_q, t1_line[29:LB]};
 endmodule
 `default_nettype wire

@@ -7,6 +7,4 @@
 `define RT_BIH_LEAVE 3'd2  // leaf
 `define RT_BIH_KILL  3'd3  // an error ends the ray
 `define RT_BIH_START 3'd4  // a new ray
-`define RT_BIH_BOX_X 3'd5  // an axis of the global box
-`define RT_BIH_BOX_Z 3'd7
 `endif

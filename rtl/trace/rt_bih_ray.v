@@ -156,20 +156,11 @@ module rt_bih_ray #(
         s4_size_up_q <= {s3_size_up_q, size_2, size_1};
     end
 
-    // ---- stages 5 to 7: the reciprocal, a straight line in a 512th of the size ----
-    wire [33:0]      s5_line;                // {slope u12, start u0.22}
-    rt_reciprocal_rom u_rom (.clk(clk), .index_i(s4_size_q[DW-2 -: 9]), .line_q(s5_line));
-    reg [12:0]       s5_rest_q;              // rounded up
-    reg [24:0]       s6_less_q;
-    reg [21:0]       s6_start_q, s7_y_q;
-    wire [24:0]      s6_up = s6_less_q + 25'd2047;
-    wire [21:0]      s6_y  = s6_start_q - {8'd0, s6_up[24:11]};
-    always @(posedge clk) begin
-        s5_rest_q  <= {1'b0, s4_size_q[DW-11 -: 12]} + {12'd0, |s4_size_q[DW-23:0]};
-        s6_less_q  <= s5_line[33:22] * s5_rest_q;
-        s6_start_q <= s5_line[21:0];
-        s7_y_q     <= s6_y[21] ? s6_y : {1'b1, 21'd0};
-    end
+    // ---- stages 5 to 7: the reciprocal ----
+    wire [21:0]      s7_y;
+    rt_reciprocal u_reciprocal (
+        .clk(clk), .top_i(s4_size_q[DW-1 -: 22]), .more_i(|s4_size_q[DW-23:0]), .y_o(s7_y)
+    );
 
     // ---- stages 8 to 10: the product ----
     wire [20:0]      s7_a;
@@ -191,8 +182,8 @@ module rt_bih_ray #(
     reg              pace_pixel_q;
     always @(posedge clk) begin
         s5_shift_q   <= BIAS[7:0] + {2'd0, s4_a_up_q} - {3'd0, s4_size_up_q};
-        s8_high_q    <= s7_a * s7_y_q[21:4];
-        s8_low_q     <= s7_a * s7_y_q[3:0];
+        s8_high_q    <= s7_a * s7_y[21:4];
+        s8_low_q     <= s7_a * s7_y[3:0];
         s9_g_q       <= s8_product[42:25];
         pace_valid_o <= s9_valid;
         pace_slot_o  <= s9_slot;
@@ -214,7 +205,7 @@ module rt_bih_ray #(
     // for benches: {turned away, taken, clocks of work}
     wire [7:0] work_rays_set_up_for_planes /* verilator public_flat_rd */ =
         {(q_shadow_valid || q_new_valid) && !load, load, 5'd0, busy_q};
-    wire unused = &{1'b0, s9_shift[6], s4_size_q[DW-1], s6_up[10:0], s8_product[24:0], new_in_ready,
+    wire unused = &{1'b0, s9_shift[6], s8_product[24:0], new_in_ready,
                     shadow_in_ready, start_in_ready};
 endmodule
 `default_nettype wire

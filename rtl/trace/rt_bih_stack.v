@@ -23,6 +23,10 @@ module rt_bih_stack #(
     input  wire [`RT_LINE_BITS-1:0] root_i,
     input  wire [`RT_LINE_BITS-1:0] leaf_base_i,
     input  wire [`RT_ID_BITS-1:0] n_loose_i,
+    // from rt_bih_box: where along the ray the global box lies, before the ray starts
+    input  wire             box_valid_i,
+    input  wire [$clog2(SLOTS)-1:0] box_slot_i,
+    input  wire [2*TW-1:0]  box_span_i,     // {hi, lo}, lo > hi: nowhere
     // from rt_bih: what the node says, before its pass comes
     input  wire             node_valid_i,
     input  wire [$clog2(SLOTS)-1:0] node_slot_i,
@@ -44,13 +48,10 @@ module rt_bih_stack #(
     input  wire [TW-1:0]    limit_i,        // what begins later does not matter
     input  wire             hit_i,          // the ray has a hit
     input  wire             ends_i,         // and ends with it
-    // to rt_bih: visit this node, or cut by an axis of the global box
+    // to rt_bih: visit this node
     output reg              issue_valid_o,
     output reg [$clog2(SLOTS)-1:0] issue_slot_o,
     output reg [`RT_LINE_BITS:0] issue_place_o,  // {line, half}
-    output reg              box_valid_o,
-    output reg [$clog2(SLOTS)-1:0] box_slot_o,
-    output reg [1:0]        box_axis_o,
     // to rt_leaf_unit and rt_closest_hit: a chunk of leaf records
     output reg              leaf_valid_o,
     output reg [$clog2(SLOTS)-1:0] leaf_slot_o,
@@ -68,7 +69,6 @@ module rt_bih_stack #(
     localparam IB  = `RT_ID_BITS;           // number or count of leaf records
     localparam LB  = `RT_LINE_BITS;
     localparam EW  = LB + 1 + 2*TW;           // stack entry: {place, hi, lo}
-    localparam [TW-1:0] NONE = {TW{1'b1}};
     wire       whole = FACETS != 0 && facets_on_i;
 
     // ---- which token is next ----
@@ -121,6 +121,11 @@ module rt_bih_stack #(
         .clk(clk), .wr_en_i(span_wr), .wr_addr_i(s2_slot_q), .wr_data_i(span_next),
         .rd_en_i(s0_pass_q), .rd_addr_i(s0_slot_q), .rd_data_o(span)
     );
+    wire [2*TW-1:0]  box;                   // {hi, lo}
+    rt_slot_ram #(.WIDTH(2*TW), .SLOTS(SLOTS), .OLD(0)) u_box (
+        .clk(clk), .wr_en_i(box_valid_i), .wr_addr_i(box_slot_i), .wr_data_i(box_span_i),
+        .rd_en_i(s0_valid_q), .rd_addr_i(s0_slot_q), .rd_data_o(box)
+    );
     wire [2*IB-1:0]  chunk_rest, chunk_next;  // leaf records still to test: {count, first}
     rt_slot_ram #(.WIDTH(2*IB), .SLOTS(SLOTS), .OLD(0)) u_chunk (
         .clk(clk), .wr_en_i(chunk), .wr_addr_i(s2_slot_q), .wr_data_i(chunk_next),
@@ -143,13 +148,14 @@ module rt_bih_stack #(
 
     // ---- stage 1: children ----
     wire s1_pass  = !s1_again_q && !s1_tested_q;
-    wire s1_box_x = s1_kind_q == `RT_BIH_BOX_X;      // a start without records of no node
-    wire [TW-1:0] lo = s1_box_x ? {TW{1'b0}} : span[TW-1:0];
-    wire [TW-1:0] hi = s1_box_x ? NONE : span[2*TW-1:TW];
+    wire [TW-1:0] lo = span[TW-1:0], hi = span[2*TW-1:TW];
+    wire [TW-1:0] box_lo = box[TW-1:0], box_hi = box[2*TW-1:TW];
     reg           back_q, near_q, far_q;
     reg           overlap_q;                        // something lies between the planes
     reg           top_counts_q;                     // the top of the stack is not behind the hit
     reg  [TW-1:0] lo_q, hi_q, later_q, earlier_q;
+    reg           inside_q;                         // the ray meets the box, not behind the hit
+    reg  [2*TW-1:0] box_q;
     reg           s2_ended_q;
     reg  [EW-1:0] top_q;
     reg  [LB-1:0] child_q;                          // line of the children
@@ -168,6 +174,8 @@ module rt_bih_stack #(
         later_q      <= step_lower_i > lo ? step_lower_i : lo;
         earlier_q    <= step_upper_i < hi ? step_upper_i : hi;
         {hi_q, lo_q} <= {hi, lo};
+        inside_q     <= box_lo <= box_hi && box_lo <= limit_i;
+        box_q        <= box;
         top_q        <= top;
         top_counts_q <= top[TW-1:0] <= limit_i;
         child_q      <= node[LB-1:0];
@@ -191,9 +199,6 @@ module rt_bih_stack #(
     wire fit   = pass && s2_kind_q == `RT_BIH_FIT;
     wire leave = pass && s2_kind_q == `RT_BIH_LEAVE;
     wire start = pass && s2_kind_q == `RT_BIH_START;
-    wire box   = pass && s2_kind_q >= `RT_BIH_BOX_X;
-    wire box_x = s2_kind_q == `RT_BIH_BOX_X;
-    wire box_z = s2_kind_q == `RT_BIH_BOX_Z;
     wire [SPW:0] sp = s2_state_q[SPW:0];
     wire loose = s2_state_q[SPW+1];
     wire ended = (pass && s2_kind_q == `RT_BIH_KILL) || s2_ended_q;
@@ -217,30 +222,25 @@ module rt_bih_stack #(
     wire down     = (inner && (near_q || far_q)) || (fit && both);
     wire full     = sp[SPW];
     wire aside    = inner && near_q && far_q;
-    wire to_box   = (finished && loose) || (box && both && !box_z);
-    wire to_root  = box && both && box_z;
+    wire to_root  = ((finished && loose) || (start && !some)) && inside_q;
     wire to_top   = s2_valid_q && pop && sp != 0 && top_counts_q;
     wire go       = !ended && ((down && !(aside && full)) || to_root || to_top);
     assign again  = s2_valid_q && !ended && pop && sp != 0 && !to_top;
-    assign keep   = go || again || chunk || (to_box && !ended);
+    assign keep   = go || again || chunk;
     assign push   = aside && !full && !ended;
 
     // The left child stands in half 0: the near one unless the ray runs back.
     wire half     = fit ? 1'b0 : near_q ? back_q : !back_q;
     assign push_data  = {child_q, !back_q, hi_q, later_q};
-    assign span_wr    = go || (to_box && !ended);
-    assign span_next  = pop ? top_q[2*TW-1:0]
+    assign span_wr    = go;
+    assign span_next  = to_root ? box_q : pop ? top_q[2*TW-1:0]
                         : {inner && !near_q ? hi_q : earlier_q, inner && near_q ? lo_q : later_q};
-    assign state_next = {start || (loose && chunk),
-                         start || (box && box_x) ? {(SPW+1){1'b0}}
-                         : push ? sp + 1'b1 : pop ? sp - 1'b1 : sp};
+    assign state_next = {(start || loose) && chunk,
+                         start ? {(SPW+1){1'b0}} : push ? sp + 1'b1 : pop ? sp - 1'b1 : sp};
     always @(posedge clk) begin
         issue_valid_o <= go;
         issue_slot_o  <= s2_slot_q;
         issue_place_o <= to_root ? {root_i, 1'b0} : pop ? top_q[EW-1 -: LB+1] : {child_q, half};
-        box_valid_o   <= to_box && !ended;
-        box_slot_o    <= s2_slot_q;
-        box_axis_o    <= box ? s2_kind_q[1:0] : 2'd0;         // one behind that of the pass
         leaf_valid_o  <= chunk;
         leaf_slot_o   <= s2_slot_q;
         leaf_mask_o   <= odd ? {ones[2:0], 1'b0} : ones;
@@ -252,7 +252,7 @@ module rt_bih_stack #(
         bubble_o      <= again;
         overflow_o    <= aside && full && !ended;
         if (rst) begin
-            issue_valid_o <= 1'b0; box_valid_o <= 1'b0; leaf_valid_o <= 1'b0;
+            issue_valid_o <= 1'b0; leaf_valid_o <= 1'b0;
             done_valid_o <= 1'b0; bubble_o <= 1'b0; overflow_o <= 1'b0;
         end
     end

@@ -26,8 +26,6 @@ module rt_leaf_unit #(
     parameter INSIDE = 1,   // 1: rays that start inside a sphere
     parameter FACETS = 0,   // 1: triangles and planes too, a line a leaf
     parameter CLEAR  = 0,   // 1: shadow rays pass what is marked as clear
-    parameter DIVISIONS = 1, // units for their keys
-    parameter DIVISION_STEP = 2, // bits of a key a clock
     parameter FACET_INTERVAL = 2 // clocks an exact test of a facet: 1, 2 or 4
 ) (
     input  wire                       clk,
@@ -226,8 +224,7 @@ module rt_leaf_unit #(
     rt_prim #(.W(W), .WD(WD), .NG(NG), .SLOTS(SLOTS), .ROOTS(ROOTS), .ROOT_STEP(ROOT_STEP),
               .PR(PR),
               .LEAF_INTERVAL(LEAF_INTERVAL), .SHADOW(SHADOW), .INSIDE(INSIDE), .FACETS(FACETS),
-              .CLEAR(CLEAR), .DIVISIONS(DIVISIONS), .DIVISION_STEP(DIVISION_STEP),
-              .FACET_INTERVAL(FACET_INTERVAL)) u_prim (
+              .CLEAR(CLEAR), .FACET_INTERVAL(FACET_INTERVAL)) u_prim (
         .clk(clk), .rst(rst), .effects_i(effects),
         .in_valid_i(l_valid_q), .in_ready_o(l_ready), .test_i(test),
         .result_o(result), .event_o(event_o[`RT_EXACT_EVENT_PRIM]), .bad_o(l_bad)

@@ -27,8 +27,6 @@ module rt_leaf_units #(
     parameter INSIDE = 1,   // 1: rays that start inside a sphere
     parameter FACETS = 0,   // 1: triangles and planes too, a line a leaf
     parameter CLEAR  = 0,   // 1: shadow rays pass what is marked as clear
-    parameter DIVISIONS = 1, // units for their keys
-    parameter DIVISION_STEP = 2, // bits of a key a clock
     parameter FACET_INTERVAL = 2 // clocks an exact test of a facet: 1, 2 or 4
 ) (
     input  wire                       clk,
@@ -96,8 +94,7 @@ module rt_leaf_units #(
                            .LINE_BITS(LINE_BITS),
                        .ROOTS(ROOTS), .ROOT_STEP(ROOT_STEP), .PR(PR),
                        .LEAF_INTERVAL(LEAF_INTERVAL), .SHADOW(SHADOW), .INSIDE(INSIDE),
-                       .FACETS(FACETS), .CLEAR(CLEAR), .DIVISIONS(DIVISIONS),
-                       .DIVISION_STEP(DIVISION_STEP), .FACET_INTERVAL(FACET_INTERVAL)) u_exact (
+                       .FACETS(FACETS), .CLEAR(CLEAR), .FACET_INTERVAL(FACET_INTERVAL)) u_exact (
                 .clk(clk), .rst(rst), .flush_i(flush_i), .regs_i(regs_i),
                 .ray_i(ray[YB*x +: YB]), .lift_i(lift_i[LIFT*U +: LIFT]),
                 .visit_i(all[N*VB*x +: N*VB]), .result_o(result_o[RB*x +: RB]),

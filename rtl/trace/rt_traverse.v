@@ -378,8 +378,7 @@ module rt_traverse #(
     wire [63:0] f_depth = f_order ? {4{16'h8000}} : f_near;
 
     rt_sort u_sort (
-        .clk(clk), .in_valid_i(f_valid), .hit_i(f_hit & f_inner),
-        .near_i(f_depth),
+        .clk(clk), .in_valid_i(f_valid), .hit_i(f_hit & f_inner), .near_i(f_depth),
         .count_o(found_o[`RT_FOUND_COUNT]), .list_o(found_o[`RT_FOUND_LIST])
     );
     rt_stages #(.WIDTH(DW), .CYCLES(1)) u_side_1 (

@@ -28,7 +28,7 @@ struct Line {
 
 class Build : public bench::Bench<Vrt_build> {
   public:
-    Build(int argc, char **argv) : Bench("tb_build", argc, argv, 60) {
+    Build(int argc, char **argv) : Bench("tb_build", argc, argv, 400) {
         profile.w = W;
         profile.fw = FW;
         idle();
@@ -58,6 +58,9 @@ class Build : public bench::Bench<Vrt_build> {
         latency = 100, reads = writes = 100, pace = 256 / 64;
         read_error = write_error = -1;
     }
+
+    /* A build that a reset cuts off, at any clock of it. */
+    void cut() { run(1 + random.below(200 + 30 * (n + 1))); }
 
     /* One build; clocks until it is cut off by a reset, 0: it is not. Returns clocks. */
     uint64_t run(uint64_t cut) {
@@ -249,7 +252,7 @@ int main(int argc, char **argv) {
     while (b.more()) {
         b.draw(COUNT);
         if (b.random.percent(20))
-            b.run(1 + b.random.below(2000));
+            b.cut();
         else
             b.run(0);
         b.cycle = 0; /* a build may take long */

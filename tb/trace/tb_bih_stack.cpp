@@ -3,7 +3,7 @@
  *
  * Every slot walks an imagined tree: after each node that is issued the bench makes up what stands
  * there, where the planes cut the ray, what its leaf records find. Tokens of all slots arrive
- * interleaved. A vector is a decision: one of node, axis of the box, leaf records, once more, done.
+ * interleaved. A vector is a decision: one of node, leaf records, once more, done.
  * LOOSE records of no node come first; WHOLE: a leaf record has a line. A token that stays away is
  * lost. Leaves of rays that end with a hit are of any size, and slot 0 has one long leaf to its
  * end.
@@ -18,7 +18,7 @@ extern "C" {
 
 namespace {
 
-enum Kind { INNER, FIT, LEAVE, KILL, START, BOX_X, BOX_Y, BOX_Z, AGAIN, TESTED, IDLE };
+enum Kind { INNER, FIT, LEAVE, KILL, START, AGAIN, TESTED, IDLE };
 constexpr uint32_t NONE = SPH_BIH_NO_BOUND, ROOT = 0x12345, BASE = 0x2fedcb;
 constexpr uint32_t LONG = (1 << 14) + 300; /* records of a leaf; four a pass */
 constexpr uint64_t PATIENCE = 4000;        /* clocks until a token is back */
@@ -33,7 +33,7 @@ struct Slot {
     uint64_t since = 0; /* clock in which it was sent */
     bool sent = false, loose = false, ends = false, hit = false;
     uint32_t limit = NONE, child = 0, first = 0, count = 0; /* of the node */
-    sph_interval span = {0, NONE};
+    sph_interval box = {0, NONE}, span = {0, NONE};
     std::vector<Entry> stack;
     bool endless = false;                         /* its first node is a long leaf */
     bool back = false, near = false, far = false; /* of the pass */
@@ -41,8 +41,8 @@ struct Slot {
 };
 
 struct Outcome {
-    bool valid = false, go = false, box = false, leaf = false, again = false, over = false;
-    int slot = 0, axis = 0, count = 0, mask = 0;
+    bool valid = false, go = false, leaf = false, again = false, over = false;
+    int slot = 0, count = 0, mask = 0;
     uint32_t place = 0, line = 0;
 };
 
@@ -62,6 +62,10 @@ void pop(Slot &s, Outcome &o) {
     s.stack.pop_back();
     o.again = top.span.lo > s.limit;
     if (!o.again) visit(s, o, top.place, top.span);
+}
+
+void root(Slot &s, Outcome &o) {
+    if (fits(s, s.box)) visit(s, o, ROOT << 1, s.box);
 }
 
 void leaf(Slot &s, Outcome &o) {
@@ -108,15 +112,10 @@ Outcome decide(Slot &s) {
     case START:
         s.first = 0;
         s.count = LOOSE;
-        leaf(s, o);
-        break;
-    case BOX_X:
-    case BOX_Y:
-    case BOX_Z:
-        s.span = both;
-        o.box = both_met && s.kind != BOX_Z;
-        o.axis = s.kind - BOX_X + 1;
-        if (both_met && s.kind == BOX_Z) visit(s, o, ROOT << 1, both);
+        if (LOOSE)
+            leaf(s, o);
+        else
+            root(s, o);
         break;
     case AGAIN:
         pop(s, o);
@@ -125,7 +124,7 @@ Outcome decide(Slot &s) {
         if (s.count) {
             leaf(s, o);
         } else if (s.loose) {
-            o.box = true;
+            root(s, o);
             s.loose = false;
         } else {
             pop(s, o);
@@ -161,10 +160,7 @@ void give_node(Bench &b, const Outcome &now, Slot &seen) {
                                               : (bench::i128)seen.child;
         b.set(b.dut.node_i, 48, node);
     } else if (now.valid) {
-        seen.kind = now.box     ? (Kind)(BOX_X + now.axis)
-                    : now.leaf  ? TESTED
-                    : now.again ? AGAIN
-                                : IDLE;
+        seen.kind = now.leaf ? TESTED : now.again ? AGAIN : IDLE;
     }
 }
 
@@ -183,13 +179,28 @@ void send(Bench &b, Slot &s, int at) {
         b.dut.pass_valid_i = 1;
         b.dut.pass_slot_i = (uint8_t)at;
         b.dut.pass_kind_i = (uint8_t)s.kind;
-        bool easy = b.random.percent(s.kind >= BOX_X ? 80 : 60); /* meets what it can */
+        bool easy = b.random.percent(60); /* meets what it can */
         s.back = b.random.percent(50);
         s.near = easy || b.random.percent(70);
         s.far = easy || b.random.percent(70);
         s.upper = easy ? NONE : bound(b.random);
         s.lower = easy ? 0 : bound(b.random);
     }
+}
+
+/* A ray begins: its interval of the global box is there before its token. */
+void begin(Bench &b, Slot &s, int at) {
+    s = Slot{};
+    s.loose = LOOSE != 0;
+    s.kind = START;
+    s.box = {b.random.percent(50) ? 0 : bound(b.random),
+             b.random.percent(50) ? NONE : bound(b.random)};
+    s.endless = at == 0 && !lengthy;
+    s.ends = !s.endless && b.random.percent(30);
+    s.limit = b.random.percent(50) ? NONE : bound(b.random);
+    b.dut.box_valid_i = 1;
+    b.dut.box_slot_i = (uint8_t)at;
+    b.set(b.dut.box_span_i, 44, (bench::i128)((uint64_t)s.box.hi << 22 | s.box.lo));
 }
 
 void answer(Bench &b, const Slot &t) {
@@ -205,15 +216,12 @@ void answer(Bench &b, const Slot &t) {
 
 void compare(Bench &b, const Outcome &now) {
     b.expect("issue_valid_o", b.dut.issue_valid_o, now.valid && now.go);
-    b.expect("box_valid_o", b.dut.box_valid_o, now.valid && now.box);
     b.expect("leaf_valid_o", b.dut.leaf_valid_o, now.valid && now.leaf);
     b.expect("bubble_o", b.dut.bubble_o, now.valid && now.again);
     b.expect("overflow_o", b.dut.overflow_o, now.valid && now.over);
-    b.expect("done_valid_o", b.dut.done_valid_o,
-             now.valid && !now.go && !now.box && !now.leaf && !now.again);
+    b.expect("done_valid_o", b.dut.done_valid_o, now.valid && !now.go && !now.leaf && !now.again);
     if (now.valid) b.expect("slot", b.dut.done_slot_o, now.slot);
     if (now.valid && now.go) b.expect("issue_place_o", b.dut.issue_place_o, now.place);
-    if (now.valid && now.box) b.expect("box_axis_o", b.dut.box_axis_o, now.axis);
     if (now.valid && now.leaf) {
         b.expect("leaf_mask_o", b.dut.leaf_mask_o, now.mask);
         b.expect("leaf_count_o", b.dut.leaf_count_o, now.count);
@@ -233,10 +241,10 @@ int main(int argc, char **argv) {
     b.dut.root_i = ROOT;
     b.dut.leaf_base_i = BASE;
     b.dut.n_loose_i = LOOSE;
-    b.dut.pass_valid_i = b.dut.tested_valid_i = b.dut.node_valid_i = 0;
+    b.dut.pass_valid_i = b.dut.tested_valid_i = b.dut.node_valid_i = b.dut.box_valid_i = 0;
     b.reset();
     while (b.more()) {
-        b.dut.pass_valid_i = b.dut.tested_valid_i = b.dut.node_valid_i = 0;
+        b.dut.pass_valid_i = b.dut.tested_valid_i = b.dut.node_valid_i = b.dut.box_valid_i = 0;
         /* the node of the slot whose outcome is at the outputs */
         Slot &seen = slots[(size_t)now.slot];
         give_node(b, now, seen);
@@ -250,12 +258,8 @@ int main(int argc, char **argv) {
         Slot &s = slots[(size_t)at];
         bool written = b.dut.node_valid_i && b.dut.node_slot_i == at; /* the pass comes later */
         if (!s.sent && !written && s.kind == IDLE) {
-            s = Slot{};
-            s.loose = LOOSE != 0;
-            s.kind = s.loose ? START : BOX_X;
-            s.endless = at == 0 && !lengthy;
-            s.ends = !s.endless && b.random.percent(30);
-            s.limit = b.random.percent(50) ? NONE : bound(b.random);
+            begin(b, s, at);
+            written = true;
         }
         if (!s.sent && !written && b.random.percent(80)) {
             send(b, s, at);

@@ -155,8 +155,30 @@ def arrays():
     assert machine.render().hash == sphaera.parse(text).build(profile="fine").render().hash
     scene.write("arrays.nff")
     assert sphaera.read("arrays.nff").build(profile="fine").render().hash == machine.render().hash
+    images = [f"{ROOT}/scenes/texture/{name}.png" for name in ("globe", "letter")]
+    st = [[[0, 0], [1, 0], [0.5, 1]]]
+    textured = sphaera.scene_of(spheres=balls, sphere_materials=[1, 0], triangles=floor, st=st,
+                                materials=stuff, textures=images, triangle_textures=[1],
+                                sphere_textures=[sphaera.NONE, 0], lights=[[4, 6, 8]],
+                                background=(0.1, 0.2, 0.3), **view)
+    corners = "".join(f"{x} {y} {z} {s} {t}\n"
+                      for (x, y, z), (s, t) in zip(floor[0], st[0]))
+    told = text.replace("plane 0 -2 0 0 1 0\n", "").replace(
+        "s 1.5", f"texture {images[0]} 1 1\ns 1.5").replace(
+            "p 3 -4 -1 -4 4 -1 -4 0 -1 5\n", f"tt {images[1]}\n{corners}")
+    drawn = [each.build(profile="fine").render() for each in (textured, sphaera.parse(told))]
+    assert drawn[0].hash == drawn[1].hash and drawn[0].counters["texels"] > 0
+    textured.write("textured.nff")
+    assert sphaera.read("textured.nff").build(profile="fine").render().hash == drawn[0].hash
     make, nan = sphaera.scene_of, float("nan")
     for pattern, words in (
+            (r"triangle_textures\[0\]: 2 is none of 2 textures", {
+                "triangles": floor, "textures": images, "st": st, "triangle_textures": [2]}),
+            ("st is NULL", {
+                "triangles": floor, "textures": images, "triangle_textures": [0]}),
+            (r"st\[0\]: corner 1 s is nan", {
+                "triangles": floor, "st": [[[0, 0], [nan, 0], [0, 0]]]}),
+            (r"textures\[0\]: the name of the image file is empty", {"textures": [""]}),
             (r"spheres\[1\]: radius is 0", {"spheres": [[0, 0, 0, 1], [0, 0, 0, 0]]}),
             (r"spheres\[0\]: y is nan", {"spheres": [[0, nan, 0, 1]]}),
             (r"sphere_materials\[0\]: 2 is none of 2", {"spheres": balls[:1],
@@ -509,24 +531,6 @@ def interrupts():
                 late.append(time.monotonic() - sent[0])
         assert what == small.write or min(late) < 0.1, late
     assert [p.name for p in folder.iterdir()] in ([], ["a.png"]), list(folder.iterdir())
-    for name, words in (("random:300000", {"profile": "standard", "accel": "bih"}),
-                        ("random:4000", {"width": 640, "height": 360})):  # profile and tree by auto
-        scene, began = sphaera.read(name), time.monotonic()
-        scene.build(**words)
-        whole, late = time.monotonic() - began, []
-        for part in (0.5, 0.3, 0.2, 0.1):
-            sent = []
-            timer = threading.Timer(part * whole, lambda: (
-                sent.append(time.monotonic()), os.kill(os.getpid(), signal.SIGINT)))
-            timer.start()
-            try:
-                scene.build(**words)
-                timer.join()
-                time.sleep(1)
-                raise AssertionError("not interrupted")
-            except KeyboardInterrupt:
-                late.append((time.monotonic() - sent[0]) / (1 - part) / whole)
-        assert min(late) < 0.5, (name, whole, late)
     again = sphaera.read(PAPER5).build(width=1600, height=900).render()
     again.write("whole.png")
     assert again.hash == small.hash
@@ -534,7 +538,36 @@ def interrupts():
         assert path.read_bytes() == Path("whole.png").read_bytes()
 
 
+def builds():
+    """A build that is cancelled, by its function or by Ctrl-C, asks hardly once more whether it
+    goes on: in a BIH, and while profile and tree are measured."""
+    for name, words in (("random:30000", {"profile": "standard", "accel": "bih"}),
+                        ("random:1000", {"width": 160, "height": 90})):
+        scene, calls, after = sphaera.read(name), [], 5
+
+        def asked(*_, calls=calls):
+            calls.append(0)
+            return len(calls) == after
+
+        def interrupts_itself(*_, calls=calls):
+            calls.append(0)
+            if len(calls) == after:
+                os.kill(os.getpid(), signal.SIGINT)
+            if len(calls) >= after:
+                time.sleep(0.1)
+
+        scene.build(progress=lambda *_, calls=calls: calls.append(0), **words)
+        assert len(calls) > 4 * after, (name, len(calls))
+        calls.clear()
+        refused(sphaera.Error, "^cancelled$", scene.build, progress=asked, **words)
+        assert len(calls) <= after + 2, (name, len(calls))
+        calls.clear()
+        refused(KeyboardInterrupt, "", scene.build, progress=interrupts_itself, **words)
+        assert len(calls) <= after + 2, (name, len(calls))
+
+
 if __name__ == "__main__":  # a child that is spawned reads this file too
     for promise in (declarations, words, frames, ray, arrays, batches, options, core, stages,
-                    verify, errors, threads, strict, pickled, children, interrupts):
+                    verify, errors, threads, strict, pickled, children, interrupts,
+                    builds):
         promise()

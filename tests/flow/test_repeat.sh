@@ -52,7 +52,8 @@ scripted() {
     "$tool" build "$root/scenes/paper5.nff" --effects all --profile standard --size 16x9 \
         -o p.sph >>log || return 1
     plain EFFECTS=shadow+reflect2+lights1 OPT=-O0 BUILD="$BUILD" JOBS="$1" sh "$root/sim/core.sh" \
-        --machine "$PWD/p.sph" --stall 20 --frame rtl.frame --json sim.json >>log 2>&1 || return 1
+        --machine "$PWD/p.sph" --stall 20 --frame "$PWD/rtl.frame" --json "$PWD/sim.json" \
+        >>log 2>&1 || return 1
     rm -r results log
 }
 
