@@ -81,8 +81,6 @@ module rt_build #(
     wire          put   = reading && line_q;
 
     // ---- least and greatest centre ----
-    reg  signed [W-1:0] lo_q [0:2];
-    reg  signed [W-1:0] hi_q [0:2];
     reg  [4:0]    shift_q;
     reg  [W-1:0]  extents_q;
     wire [W-1:0]  extent [0:2];
@@ -96,12 +94,13 @@ module rt_build #(
             assign ctr[W*i +: W] = field[W-1:0];
             assign wide[i]       = |(field ^ {{(25-W){field[W-1]}}, field[W-2:0]});
             wire signed [W-1:0] c = field[W-1:0];
+            reg  signed [W-1:0] lo_q, hi_q;
             always @(posedge clk) if (put) begin
-                if (came_q == 0 || c < lo_q[i]) lo_q[i] <= c;
-                if (came_q == 0 || c > hi_q[i]) hi_q[i] <= c;
+                if (came_q == 0 || c < lo_q) lo_q <= c;
+                if (came_q == 0 || c > hi_q) hi_q <= c;
             end
-            assign extent[i] = hi_q[i] - lo_q[i];
-            wire [W-1:0]    off   = leaf_a[W*i +: W] - lo_q[i];
+            assign extent[i] = hi_q - lo_q;
+            wire [W-1:0]    off   = leaf_a[W*i +: W] - lo_q;
             wire [W-1:0]    moved = off >> shift_q; // AXIS bits are left
             reg  [AXIS-1:0] v_q;             // u8
             always @(posedge clk) v_q <= moved[AXIS-1:0];

@@ -85,8 +85,6 @@ module rt_build_bound #(
     assign a_here = a1_here_q;
 
     // ---- box, its middle ----
-    reg  signed [BW-1:0] lo_q [0:2];
-    reg  signed [BW-1:0] hi_q [0:2];
     reg           boxed_q;                   // the box is whole
     reg  [2*AB:0] boxed_run_q;
     wire [CB-1:0] middle;
@@ -97,11 +95,12 @@ module rt_build_bound #(
             wire signed [BW-1:0] radius = {2'b00, a_leaf_i[3*W +: W]};
             wire signed [BW-1:0] lo = centre - radius;
             wire signed [BW-1:0] hi = centre + radius;
+            reg  signed [BW-1:0] lo_q, hi_q;
             always @(posedge clk) if (a_here) begin
-                if (a_head || lo < lo_q[i]) lo_q[i] <= lo;
-                if (a_head || hi > hi_q[i]) hi_q[i] <= hi;
+                if (a_head || lo < lo_q) lo_q <= lo;
+                if (a_head || hi > hi_q) hi_q <= hi;
             end
-            wire signed [BW:0] sum = lo_q[i] + hi_q[i];
+            wire signed [BW:0] sum = lo_q + hi_q;
             // the half of it, then half up to filter units, limited to those of the grid
             wire signed [BW+1:0] half = {sum[BW], sum[BW], sum[BW:1]};
             wire signed [BW+1:0] up   = K == 0 ? half : (half >>> (K == 0 ? 0 : K - 1)) + 1;
@@ -155,8 +154,7 @@ module rt_build_bound #(
     end
 
     // ---- s1: how far apart; s2: squares; s3: their sum ----
-    reg  [W-1:0]  s1_apart_q [0:2];          // at most 2^W - 1
-    reg  [2*W-1:0] s2_square_q [0:2];
+    reg  [6*W-1:0] s2_square_q;
     reg  [2*W+1:0] s3_sum_q;
     generate
         for (i = 0; i < 3; i = i + 1) begin : g_apart
@@ -165,15 +163,16 @@ module rt_build_bound #(
             wire signed [W:0] to   = {b_leaf_i[W*i + W - 1], b_leaf_i[W*i +: W]};
             wire signed [W:0] d    = from - to;
             wire [W-1:0]   minus_d = ~d[W-1:0] + 1'b1;
-            wire [2*W-1:0] square = s1_apart_q[i] * s1_apart_q[i];
+            reg  [W-1:0]   s1_apart_q;       // at most 2^W - 1
             always @(posedge clk) begin
-                s1_apart_q[i]  <= d[W] ? minus_d : d[W-1:0];
-                s2_square_q[i] <= square;
+                s1_apart_q <= d[W] ? minus_d : d[W-1:0];
+                s2_square_q[2*W*i +: 2*W] <= s1_apart_q * s1_apart_q;
             end
         end
     endgenerate
-    always @(posedge clk) s3_sum_q <= {2'b00, s2_square_q[0]} + {2'b00, s2_square_q[1]} +
-                                {2'b00, s2_square_q[2]};
+    always @(posedge clk)
+        s3_sum_q <= {2'b00, s2_square_q[0 +: 2*W]} + {2'b00, s2_square_q[2*W +: 2*W]} +
+                    {2'b00, s2_square_q[4*W +: 2*W]};
 
     // ---- root: digit by digit, a stage each ----
     wire [2*ROOT-1:0] x [0:ROOT];            // digits that are left, at the top

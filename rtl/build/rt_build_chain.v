@@ -55,9 +55,9 @@ module rt_build_chain #(
     reg            any_q;                    // x is there
     reg  [SB:0]    behind_q;                 // with p and q
     reg  [SB-1:0]  ahead_q;                  // without x
-    reg  [BW-1:0]  edge_q [0:2];             // of the box around p and x
-    wire [SW-1:0]  size = {{(SW-BW){1'b0}}, edge_q[0]} + {{(SW-BW){1'b0}}, edge_q[1]} +
-                          {{(SW-BW){1'b0}}, edge_q[2]};
+    reg  [BW-1:0]  edge_x_q, edge_y_q, edge_z_q; // of the box around p and x
+    wire [SW-1:0]  size = {{(SW-BW){1'b0}}, edge_x_q} + {{(SW-BW){1'b0}}, edge_y_q} +
+                          {{(SW-BW){1'b0}}, edge_z_q};
     reg  [AB:0]    taken_q;                  // spheres that are or were x
     reg            refill_q;                 // q is to be read
     wire           act  = state_q == ACT;
@@ -114,9 +114,9 @@ module rt_build_chain #(
 
     wire [6*BW-1:0] both = around(p_q[6*BW-1:0], x_q[6*BW-1:0]);
     always @(posedge clk) begin
-        edge_q[0] <= both[BW*3 +: BW] - both[BW*0 +: BW];
-        edge_q[1] <= both[BW*4 +: BW] - both[BW*1 +: BW];
-        edge_q[2] <= both[BW*5 +: BW] - both[BW*2 +: BW];
+        edge_x_q <= both[BW*3 +: BW] - both[BW*0 +: BW];
+        edge_y_q <= both[BW*4 +: BW] - both[BW*1 +: BW];
+        edge_z_q <= both[BW*5 +: BW] - both[BW*2 +: BW];
         refill_q <= merge && behind_q > 3;
         done_o   <= 1'b0;
         coming_q <= {coming_q[0], read_o};

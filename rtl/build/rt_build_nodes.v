@@ -59,18 +59,22 @@ module rt_build_nodes #(
     // ---- the largest of those that can be opened, the first of equals ----
     reg  [3:0]    inner;
     reg  [1:0]    most;
-    reg  [SW-1:0] size [0:3];
+    reg  [4*SW-1:0] size;
+    reg  [SW-1:0] largest;
     integer i;
     always @* begin
         most = 2'd0;
         for (i = 0; i < 4; i = i + 1) begin
             inner[i] = i < {29'd0, runs_q} && first_q[i] != last_q[i];
-            size[i]  = !inner[i] ? {SW{1'b0}}
+            size[SW*i +: SW] = !inner[i] ? {SW{1'b0}}
                      : even_q ? {{(SW-AB){1'b0}}, last_q[i] - first_q[i]} : size_q[i];
         end
-        if (size[1] > size[0]) most = 2'd1;
-        if (size[2] > size[most]) most = 2'd2;
-        if (size[3] > size[most]) most = 2'd3;
+        largest = size[0 +: SW];
+        for (i = 1; i < 4; i = i + 1)
+            if (size[SW*i +: SW] > largest) begin
+                largest = size[SW*i +: SW];
+                most    = i[1:0];
+            end
     end
     wire [AB-1:0] cut = even_q ? first_q[most] + ((last_q[most] - first_q[most]) >> 1)
                                : number_q[most];
