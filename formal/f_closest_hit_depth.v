@@ -1,6 +1,6 @@
 // f_closest_hit_depth.v - proof that rt_closest_hit bounds a ray by its hit as the model does
 // SPDX-License-Identifier: Apache-2.0
-// From any state: a hit comes in clock 0, and three clocks later s3_depth is its depth: of
+// From any state: a hit comes in clock 0; if it wins, s3_depth is its depth three clocks later: of
 // sph_ray_depth() from its key and the ray's scale and shift, or with KEYS of sph_bih_time(), which
 // KEYS = 2 makes one of sph_box_depth().
 `timescale 1ns / 1ps
@@ -22,6 +22,7 @@ module f_closest_hit_depth #(
     localparam [FW:0] LIM = {(FW+1){1'b1}};
     (* hierconn *) wire [(KEYS != 0 ? 0 : 23):0] \u_dut.in_scale ;
     (* hierconn *) wire [FW:0] \u_dut.s3_depth ;
+    (* hierconn *) wire        \u_dut.s3_win_q ;
     rt_closest_hit #(.W(W), .WD(WD), .FW(FW), .SLOTS(4), .KEYS(KEYS)) u_dut (
         .clk(clk), .rst(1'b0), .in_valid_i(1'b1), .in_slot_i(in_slot), .in_hit_i(1'b1),
         .in_key_i(in_key), .in_far_i(1'b0), .in_id_i(`RT_ID_BITS'd0), .want_valid_i(1'b0),
@@ -53,7 +54,7 @@ module f_closest_hit_depth #(
     end
     always @* begin
         if (age_q == 0) assume (!(&in_key[KW-1 -: 17]));   // below 2.4 * 2^(W + WD)
-        if (age_q == 3) begin
+        if (age_q == 3 && \u_dut.s3_win_q ) begin
             if (KEYS == 2)      assert (\u_dut.s3_depth == near);
             else if (KEYS == 1) assert (\u_dut.s3_depth == part[TW-1:0]);
             else assert (\u_dut.s3_depth == (scale_q[22:17] == 63 || far > LIM ? LIM : far));

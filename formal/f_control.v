@@ -58,26 +58,45 @@ module f_control #(
     );
     (* hierconn *) wire        \u_dut.aw_full_q ;
     (* hierconn *) wire        \u_dut.w_full_q ;
-    (* hierconn *) wire        \u_dut.ar_full_q , \u_dut.ar_seen_q ;
+    (* hierconn *) wire        \u_dut.aw_seen_q ;
+    (* hierconn *) wire        \u_dut.ar_full_q , \u_dut.ar_seen_q , \u_dut.ar_free_q ;
     (* hierconn *) wire [9:0]  \u_dut.aw_q ;
     (* hierconn *) wire [9:0]  \u_dut.ar_q ;
     (* hierconn *) wire [31:0] \u_dut.w_q ;
     (* hierconn *) wire [3:0]  \u_dut.strobe_q ;
+    (* hierconn *) wire [OTHERS+ALL:0] \u_dut.aw_is_q , \u_dut.ar_is_q ;
+    (* hierconn *) wire        \u_dut.aw_machine_q , \u_dut.aw_control_q ;
+    (* hierconn *) wire        \u_dut.ar_machine_q , \u_dut.ar_count_q ;
+
+    // ---- what an address selects ----
+    function machine(input [11:0] at);
+        machine = at >= `RT_TOP_MACHINE && at < `RT_TOP_COUNTERS;
+    endfunction
+    function counter(input [11:0] at);
+        counter = at >= `RT_TOP_COUNTERS && at < `RT_TOP_COUNTERS + 8*`RT_TOP_COUNTS;
+    endfunction
+    function [OTHERS+ALL:0] selected(input [11:0] at);
+        integer n;
+        begin
+            selected[OTHERS+ALL] = counter(at) ||
+                                   (machine(at) && at < `RT_TOP_MACHINE + 4*`RT_N_REGS);
+            for (n = 0; n < ALL; n = n + 1) selected[n] = THERE[n] && at == AT[12*n +: 12];
+            for (n = 0; n < OTHERS; n = n + 1) selected[ALL+n] = at == OTHERS_AT[12*n +: 12];
+        end
+    endfunction
 
     // ---- model: what the slave took and did not answer ----
     reg         old_q = 1'b0, aw_q, w_q, ar_q;
     reg  [9:0]  aw_addr_q, ar_addr_q;
     reg  [31:0] data_q;
     reg  [3:0]  strobe_q;
-    wire        to_machine = {aw_addr_q, 2'd0} >= `RT_TOP_MACHINE &&
-                             {aw_addr_q, 2'd0} < `RT_TOP_COUNTERS;
-    wire        does  = aw_q && w_q && !bvalid && !(to_machine && machine_busy);
+    wire        to_machine = machine({aw_addr_q, 2'd0});
+    reg         aw_seen_q;                       // there in the clock before, too
+    wire        does  = aw_seen_q && w_q && !bvalid && !(to_machine && machine_busy);
     wire [11:0] from  = {ar_addr_q, 2'd0};
-    wire        free  = !(from >= `RT_TOP_MACHINE && from < `RT_TOP_COUNTERS && machine_busy) &&
-                        !(from >= `RT_TOP_COUNTERS &&
-                          from < `RT_TOP_COUNTERS + 8*`RT_TOP_COUNTS && count_busy);
-    reg         seen_q;                          // free in the clock before, too
-    wire        reads = ar_q && seen_q && !rvalid && free;
+    wire        free  = !(machine(from) && machine_busy) && !(counter(from) && count_busy);
+    reg         seen_q, free_q;                  // there in the clock before; then free, too
+    wire        reads = free_q && !rvalid && free;
     reg         did_q, read_q;
 
     // ---- one setting, and an offset of nothing ----
@@ -86,14 +105,7 @@ module f_control #(
     wire [11:0] place = AT[12*number +: 12];
     wire [31:0] keep  = {{8{strobe_q[3]}}, {8{strobe_q[2]}}, {8{strobe_q[1]}}, {8{strobe_q[0]}}};
     reg  [31:0] value_q, was_q;
-    reg         known;
-    integer     k;
-    always @* begin
-        known = nowhere >= `RT_TOP_COUNTERS && nowhere < `RT_TOP_COUNTERS + 8*`RT_TOP_COUNTS;
-        if (nowhere >= `RT_TOP_MACHINE && nowhere < `RT_TOP_MACHINE + 4*`RT_N_REGS) known = 1'b1;
-        for (k = 0; k < ALL; k = k + 1) if (THERE[k] && nowhere == AT[12*k +: 12]) known = 1'b1;
-        for (k = 0; k < OTHERS; k = k + 1) if (nowhere == OTHERS_AT[12*k +: 12]) known = 1'b1;
-    end
+    wire        known = |selected(nowhere);
 
     reg        b_wait_q, r_wait_q;
     reg [1:0]  bresp_q;
@@ -108,7 +120,9 @@ module f_control #(
         if (arvalid && arready) {ar_q, ar_addr_q} <= {1'b1, araddr[11:2]};
         if (does) {aw_q, w_q} <= 2'd0;
         if (reads) ar_q <= 1'b0;
-        seen_q <= ar_q && free && !reads && !rst;
+        aw_seen_q <= aw_q && !does && !rst;
+        seen_q <= ar_q && !reads && !rst;
+        free_q <= seen_q && free && !reads && !rst;
         if (does && {aw_addr_q, 2'd0} == place)
             value_q <= ((value_q & ~keep) | (data_q & keep)) & KEPT[32*number +: 32];
         was_q    <= value_q;
@@ -151,8 +165,17 @@ module f_control #(
         assert (\u_dut.aw_full_q == aw_q && \u_dut.w_full_q == w_q);
         if (aw_q) assert (\u_dut.aw_q == aw_addr_q);
         if (w_q) assert (\u_dut.w_q == data_q && \u_dut.strobe_q == strobe_q);
-        assert (\u_dut.ar_full_q == ar_q && \u_dut.ar_seen_q == seen_q);
+        assert (\u_dut.aw_seen_q == aw_seen_q && (aw_q || !aw_seen_q));
+        if (aw_seen_q)
+            assert (\u_dut.aw_is_q == selected({aw_addr_q, 2'd0}) &&
+                    \u_dut.aw_machine_q == to_machine &&
+                    \u_dut.aw_control_q == ({aw_addr_q, 2'd0} == `RT_TOP_CONTROL));
+        assert (\u_dut.ar_full_q == ar_q && \u_dut.ar_seen_q == seen_q && (ar_q || !seen_q));
+        assert (\u_dut.ar_free_q == free_q && (seen_q || !free_q));
         if (ar_q) assert (\u_dut.ar_q == ar_addr_q);
+        if (seen_q)
+            assert (\u_dut.ar_is_q == selected(from) && \u_dut.ar_machine_q == machine(from) &&
+                    \u_dut.ar_count_q == counter(from));
     end
 endmodule
 `default_nettype wire

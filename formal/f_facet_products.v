@@ -9,6 +9,7 @@ module rt_multiply #(
     parameter W = 17
 ) (
     input  wire                  clk,
+    input  wire                  in_valid_i,
     input  wire signed [W-1:0]   a_i,
     input  wire signed [W-1:0]   b_i,
     output wire signed [2*W-1:0] p_o

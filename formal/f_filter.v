@@ -25,12 +25,13 @@ module f_filter #(
     rt_filter #(.FW(FW)) u_dut (
         .clk(clk), .in_valid_i(1'b1),
         .in_org_x_i(org_x), .in_org_y_i(org_y), .in_org_z_i(org_z),
-        .in_least_i(least), .in_p_a_i(p_a), .in_p_b_i(p_b),
-        .in_q_x_i(q_x), .in_q_y_i(q_y), .in_q_z_i(q_z), .in_axis_i(axis),
+        .in_least_i(least), .s1_p_a_i(p_a), .s1_p_b_i(p_b),
+        .s1_q_x_i(q_x), .s1_q_y_i(q_y), .s1_q_z_i(q_z), .in_axis_i(axis),
         .in_negative_i(negative), .in_depth_max_i(depth_max),
         .in_ctr_x_i(ctr_x), .in_ctr_y_i(ctr_y), .in_ctr_z_i(ctr_z), .in_rad_i(rad),
         .out_pass_o(pass), .out_near_o(near)
     );
+    (* hierconn *) wire [7:1]         \u_dut.live_q ;
     (* hierconn *) wire signed [14:0] \u_dut.s1_oc_x_q , \u_dut.s1_oc_y_q , \u_dut.s1_oc_z_q ;
     (* hierconn *) wire signed [14:0] \u_dut.s2_oc_x_q , \u_dut.s2_oc_y_q , \u_dut.s2_oc_z_q ;
     (* hierconn *) wire signed [14:0] \u_dut.s2_oc_a_q , \u_dut.s2_oc_b_q , \u_dut.s2_depth_q ;
@@ -45,9 +46,10 @@ module f_filter #(
     (* hierconn *) wire signed [15:0] \u_dut.s3_depth_q , \u_dut.s4_near_q , \u_dut.s5_near_q ;
     (* hierconn *) wire signed [33:0] \u_dut.s4_p_q , \u_dut.s4_q_q , \u_dut.s5_p_q ;
     (* hierconn *) wire signed [33:0] \u_dut.s5_q_q ;
-    (* hierconn *) wire               \u_dut.s4_behind_q , \u_dut.s5_ok_q , \u_dut.ok ;
+    (* hierconn *) wire               \u_dut.s4_behind_q , \u_dut.s5_ok_q , \u_dut.s6_ok_q ;
+    (* hierconn *) wire               \u_dut.g_multipliers.s7_ok_q ;
     (* hierconn *) wire [15:0]        \u_dut.s6_p_q , \u_dut.s6_q_q ;
-    (* hierconn *) wire [13:0]        \u_dut.rad ;
+    (* hierconn *) wire [13:0]        \u_dut.s6_rad_q ;
     (* hierconn *) wire [15:0]        \u_dut.g_multipliers.s7_p_q ;
     (* hierconn *) wire signed [16:0] \u_dut.g_multipliers.s7_less_q ;
     (* hierconn *) wire [16:0]        \u_dut.g_multipliers.s7_more_q ;
@@ -63,10 +65,10 @@ module f_filter #(
     reg signed [32:0] pa, pb, qx, qy, qz;
     reg signed [32:0] left;
     reg        [31:0] pp_8;
-    reg               ok_5, ok_8, pass_9;
+    reg               ok_5, ok_7, ok_8, pass_9;
     reg signed [15:0] near_5, near_8, near_9;
     wire signed [17:0] more_7 = {1'b0, \u_dut.g_multipliers.s7_more_q };
-    wire [39:0]        w_rad  = {25'd0, \u_dut.rad , 1'b0}, w_q = {24'd0, \u_dut.s6_q_q };
+    wire [39:0]        w_rad  = {25'd0, \u_dut.s6_rad_q , 1'b0}, w_q = {24'd0, \u_dut.s6_q_q };
     wire signed [39:0] floor_p = \u_dut.s5_p_q >>> 16, floor_q = \u_dut.s5_q_q >>> 16;
     always @(posedge clk) begin
         // 1: oc
@@ -100,12 +102,13 @@ module f_filter #(
         p_7     <= {24'd0, \u_dut.s6_p_q };
         less    <= w_rad - w_q;
         more    <= w_rad + w_q;
+        ok_7    <= \u_dut.s6_ok_q && w_q <= w_rad;   // else nothing passes, and 7 is not loaded
         // 8, 9: pp <= 4 rad^2 - qq
         left    <= \u_dut.g_multipliers.s7_less_q * more_7;
         pp_8    <= \u_dut.g_multipliers.s7_p_q * \u_dut.g_multipliers.s7_p_q ;
-        ok_8    <= \u_dut.ok ;
+        ok_8    <= \u_dut.g_multipliers.s7_ok_q ;
         near_8  <= \u_dut.near ;
-        pass_9  <= ok_8 && $signed({8'd0, pp_8}) <= left;
+        pass_9  <= \u_dut.left_ok_q && $signed({8'd0, \u_dut.left_pp_q }) <= \u_dut.left_q ;
         near_9  <= near_8;
     end
 
@@ -122,7 +125,9 @@ module f_filter #(
         if (age_q >= 5) assume (sum >= -PART && sum < PART);
     end
 
+    integer k;
     always @* begin
+        for (k = 1; k <= 7; k = k + 1) if (age_q >= k) assert (\u_dut.live_q [k]);
         if (age_q >= 1) begin
             assert (\u_dut.s1_oc_x_q == oc_x && oc_x >= -FAR && oc_x <= FAR);
             assert (\u_dut.s1_oc_y_q == oc_y && oc_y >= -FAR && oc_y <= FAR);
@@ -150,13 +155,13 @@ module f_filter #(
             assert ($signed({24'd0, \u_dut.s6_q_q }) == cut_q);
         end
         if (age_q >= 7) begin
-            assert ($signed({24'd0, \u_dut.g_multipliers.s7_p_q }) == p_7);
-            assert ({{23{\u_dut.g_multipliers.s7_less_q [16]}}, \u_dut.g_multipliers.s7_less_q }
-                    == less);
-            assert ($signed({23'd0, \u_dut.g_multipliers.s7_more_q }) == more);
+            assert (\u_dut.g_multipliers.s7_ok_q == ok_7);
+            assert (!ok_7 || $signed({24'd0, \u_dut.g_multipliers.s7_p_q }) == p_7);
+            assert (!ok_7 || $signed({23'd0, \u_dut.g_multipliers.s7_less_q }) == less);
+            assert (!ok_7 || $signed({23'd0, \u_dut.g_multipliers.s7_more_q }) == more);
         end
         if (age_q >= 8) begin
-            assert (\u_dut.left_q == left && \u_dut.left_pp_q == pp_8);
+            assert (!ok_8 || (\u_dut.left_q == left && \u_dut.left_pp_q == pp_8));
             assert (\u_dut.left_ok_q == ok_8 && \u_dut.left_near_q == near_8);
         end
         if (age_q == 9) assert (pass == pass_9 && near == near_9);

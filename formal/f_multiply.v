@@ -15,7 +15,7 @@ module f_multiply #(
     localparam C = `RT_MUL_CHUNKS(W);
     localparam L = `RT_MUL_LATENCY(W);
     wire signed [2*W-1:0] p;
-    rt_multiply #(.W(W)) u_dut (.clk(clk), .a_i(a), .b_i(b), .p_o(p));
+    rt_multiply #(.W(W)) u_dut (.clk(clk), .in_valid_i(1'b1), .a_i(a), .b_i(b), .p_o(p));
     (* hierconn *) wire [36*C*C-1:0] \u_dut.g_many.s1_p ;
     wire [36*C*C-1:0] s1_p = \u_dut.g_many.s1_p ;
     reg [3:0] age_q = 4'd0;

@@ -41,6 +41,7 @@ module f_run (
     );
     (* hierconn *) wire [2:0] \u_dut.state_q ;
     (* hierconn *) wire       \u_dut.bad_q ;
+    (* hierconn *) wire       \u_dut.halt_q ;
     (* hierconn *) wire [1:0] \u_dut.dead_q ;
     (* hierconn *) wire       \u_dut.keep_q ;
     (* hierconn *) wire       \u_dut.silent_q ;
@@ -106,6 +107,7 @@ module f_run (
         assert (\u_dut.silent_q == told_q);
         assert (\u_dut.read_q == reads_q && \u_dut.write_q == writes_q);
         assert (\u_dut.scan_q == scans_q);
+        assert (\u_dut.halt_q == (draining || read_dead));
         assert (begun_q == (\u_dut.state_q == 3) || drain_q || draining);
     end
 endmodule

@@ -34,6 +34,9 @@ module f_totals (
         .swap_i(swap), .again_i(again), .lost_i(lost), .underrun_i(underrun)
     );
     (* hierconn *) wire [32*OWN-1:0] \u_dut.total_q ;
+    (* hierconn *) wire [1:0]  \u_dut.read_q , \u_dut.write_q ;
+    (* hierconn *) wire [3:0]  \u_dut.pixels_q ;
+    (* hierconn *) wire        \u_dut.underrun_q , \u_dut.frame_q , \u_dut.clear_q ;
     (* hierconn *) wire [5:0]  \u_dut.at_q ;
     (* hierconn *) wire [5:0]  \u_dut.put_q ;
     (* hierconn *) wire        \u_dut.run_q ;
@@ -49,6 +52,8 @@ module f_totals (
     reg  [6:0]  step_q;                   // clocks of a snapshot; 64 before it after rst; 0: none
     reg  [6:0]  wait_q;                   // clocks after rst, 64: no longer
     reg  [31:0] beats_q, pixels_q, underruns_q;
+    reg         beat_q, written_q, underrun_q, frame_q, clear_q;   // a clock ago
+    reg  [3:0]  group_q;
     reg  [47:0] value_q;                  // the word
     wire        turn = step_q == {1'b0, me} + 7'd2;    // the counter stands there, to be written
     wire [47:0] now  = me[5] ? {16'd0, \u_dut.total_q [32*own[3:0] +: 32]} : count_data;
@@ -60,10 +65,14 @@ module f_totals (
         if (snap && !busy) step_q <= 1;
         if (turn) value_q <= now;
         taken_q <= taken_q || turn;
-        beats_q     <= frame ? 0 : beats_q + read[1];
-        pixels_q    <= frame ? 0 : pixels_q + (write[0] ? pixels : 0);
-        underruns_q <= clear ? 0 : underruns_q + underrun;
+        {beat_q, written_q, underrun_q, frame_q, clear_q} <=
+            {read[1], write[0], underrun, frame, clear};
+        group_q     <= pixels;
+        beats_q     <= frame_q ? 0 : beats_q + beat_q;
+        pixels_q    <= frame_q ? 0 : pixels_q + (written_q ? group_q : 0);
+        underruns_q <= clear_q ? 0 : underruns_q + underrun_q;
         if (rst) {beats_q, pixels_q, underruns_q, step_q, wait_q, taken_q} <= 0;
+        if (rst) {beat_q, written_q, underrun_q} <= 0;
     end
     always @* begin
         if (!old_q) assume (rst);
@@ -81,6 +90,9 @@ module f_totals (
         assert (\u_dut.total_q [32*(`RT_TOP_COUNT_WRITE_PIXELS - 32) +: 32] == pixels_q);
         assert (\u_dut.total_q [32*(`RT_TOP_COUNT_UNDERRUNS - 32) +: 32] == underruns_q);
         // invariant
+        assert (\u_dut.read_q [1] == beat_q && \u_dut.write_q [0] == written_q);
+        assert (\u_dut.underrun_q == underrun_q && \u_dut.pixels_q == group_q);
+        assert (\u_dut.frame_q == frame_q && \u_dut.clear_q == clear_q);
         assert (wait_q <= 64 && step_q <= ALL + 1 && (wait_q == 64 || step_q == 0));
         assert (\u_dut.wait_q == (wait_q != 64));
         assert (\u_dut.run_q == (step_q != 0 && step_q <= ALL));

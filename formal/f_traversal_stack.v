@@ -41,6 +41,7 @@ module f_traversal_stack #(
     );
     (* hierconn *) wire              \u_dut.again_q , \u_dut.s1_valid_q , \u_dut.s1_again_q ;
     (* hierconn *) wire              \u_dut.s2_valid_q , \u_dut.s2_again_q , \u_dut.s3_valid_q ;
+    (* hierconn *) wire              \u_dut.s2_more_q ;
     (* hierconn *) wire [SLOTW-1:0]  \u_dut.again_slot_q , \u_dut.s1_slot_q , \u_dut.s2_slot_q ;
     (* hierconn *) wire [SLOTW-1:0]  \u_dut.s3_slot_q ;
     (* hierconn *) wire              \u_dut.push , \u_dut.keep , \u_dut.use_t , \u_dut.again ;
@@ -59,7 +60,7 @@ module f_traversal_stack #(
     (* hierconn *) wire [SLOTW+DW-1:0] \u_dut.u_stack.mark ;
     (* hierconn *) wire [102:0]      \u_dut.u_found.word_q ;
     (* hierconn *) wire [81:0]       \u_dut.u_current.word_q ;
-    (* hierconn *) wire [DW+16:0]    \u_dut.u_pointer.word_q ;
+    (* hierconn *) wire [DW+17:0]    \u_dut.u_pointer.word_q ;
     (* hierconn *) wire [97:0]       \u_dut.u_stack.word_q ;
     always @* assume (\u_dut.u_found.mark == slot && \u_dut.u_current.mark == slot);
     always @* assume (\u_dut.u_pointer.mark == slot && \u_dut.u_stack.mark == {slot, level});
@@ -85,6 +86,7 @@ module f_traversal_stack #(
     wire now   = fresh_q && !s3_again_q;
     wire [97:0] top = {\u_dut.s3_below_q , \u_dut.s3_t_q [100:75], \u_dut.s3_t_q [73:72],
                        \u_dut.s3_t_q [53:0]};
+    wire more = cur_q[55:54] != 0;       // the current group has children left, else it is not read
     wire [DW:0] sp = now ? {(DW+1){1'b0}} : sp_q;
     always @(posedge clk) begin
         old_q   <= 1'b1;
@@ -150,13 +152,15 @@ module f_traversal_stack #(
         end
         if (alive_q) begin
             assert (\u_dut.u_current.word_q == cur_q && \u_dut.u_pointer.word_q [DW:0] == sp_q);
+            assert (\u_dut.u_pointer.word_q [DW+17] == more);
             assert (sp_q <= DEPTH);
             if (sp_q > level) assert (\u_dut.u_stack.word_q == group_q && group_q[55:54] != 0);
         end
         if (mine_1 && \u_dut.s1_again_q ) assert (alive_q);
         if (mine_2) begin
             assert (\u_dut.s2_found == \u_dut.u_found.word_q && (now_2 || alive_q));
-            if (!now_2) assert (\u_dut.s2_cur == cur_q && \u_dut.s2_sp_q == sp_q);
+            if (!now_2) assert (\u_dut.s2_more_q == more && \u_dut.s2_sp_q == sp_q);
+            if (!now_2 && more) assert (\u_dut.s2_cur == cur_q);
             if (!now_2 && sp_q == level + 1'b1) assert (\u_dut.s2_top == group_q);
             if (\u_dut.s2_again_q ) assert (alive_q);
         end
@@ -164,8 +168,8 @@ module f_traversal_stack #(
             assert (\u_dut.s3_f_q [100:75] == \u_dut.u_found.word_q [100:75]);
             assert (\u_dut.s3_f_q [74:72] == (s3_again_q ? 3'd0 : \u_dut.u_found.word_q [74:72]));
             assert (\u_dut.s3_f_q [71:0] == \u_dut.u_found.word_q [71:0] && (now || alive_q));
-            if (!now) assert (\u_dut.s3_c_q [100:75] == cur_q[81:56]);
-            if (!now) assert (\u_dut.s3_c_q [71:0] == {18'd0, cur_q[53:0]});
+            if (!now && more) assert (\u_dut.s3_c_q [100:75] == cur_q[81:56]);
+            if (!now && more) assert (\u_dut.s3_c_q [71:0] == {18'd0, cur_q[53:0]});
             assert (\u_dut.s3_c_q [74:72] == (now || s3_again_q ? 3'd0 : {1'b0, cur_q[55:54]}));
             assert (\u_dut.s3_c_any_q == (\u_dut.s3_c_q [74:72] != 0));
             assert (!\u_dut.s3_f_ok_q || \u_dut.s3_f_q [74:72] != 0);

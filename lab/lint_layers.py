@@ -18,7 +18,7 @@ shade
 prim
 trace
 pixel memory
-engine                   the golden model ends here: one pixel, literally
+engine build             the golden model ends here: one pixel, literally
 fast validate scene      its fast twin; is a machine sound; scene files
 reference render         the scene in double precision; whole frames
 builder                  scene to machine

@@ -1,6 +1,6 @@
 # matrix.py - releases of systems, each in a root of its own: what a user does there, `make matrix`
 # SPDX-License-Identifier: Apache-2.0
-"""debootstrap makes a root of each release from the archive that apt of this machine knows, and
+"""debootstrap makes a root of each release from the archive that apt of this machine knows;
 Containerfile says what is done in it first. FOLDER/SUITE.base keeps the root as it was made,
 FOLDER/SUITE is the copy in which the steps run, FOLDER/SUITE.log has what they said, and
 FOLDER/SUITE.json the column of the table. A release of which apt knows no archive is named and
@@ -15,8 +15,8 @@ from collections import namedtuple
 from pathlib import Path
 
 from . import intact
-from .pages import measured
 from .pages.place import place
+from .runner import said as said_by
 
 System = namedtuple("System", "name label suite")
 SYSTEMS = [System("Debian 12", "Debian", "bookworm"), System("Debian 13", "Debian", "trixie"),
@@ -45,17 +45,16 @@ STEPS = [
     Step("`make yosys-setup`, synthesis",
          f"make yosys-setup && {NEWEST} -V && make synth YOSYS={NEWEST} {CORE}"),
 ]
+CERTIFICATES = "/etc/ssl/certs/ca-certificates.crt"  # of this machine; packages may write others
 ENVIRONMENT = {"PATH": "/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin",
                "HOME": "/root", "LC_ALL": "C.UTF-8", "TERM": "dumb", "CI": "",
-               "PIP_CERT": "/etc/ssl/certs/ca-certificates.crt"}
+               "PIP_CERT": "/root/certificates"}
 
 
 def archive(label):
     """Where this machine's apt has packages of a system from; "" if from nowhere."""
-    said = subprocess.run(["apt-get", "indextargets", "--format", "$(LABEL) $(SITE)"], check=True,
-                          stdout=subprocess.PIPE, text=True).stdout
-    return next((line.split(" ", 1)[1] for line in said.splitlines()
-                 if line.startswith(label + " ")), "")
+    known = said_by("apt-get", "indextargets", "--format", "$(LABEL) $(SITE)").splitlines()
+    return next((line.split(" ", 1)[1] for line in known if line.startswith(label + " ")), "")
 
 
 class Root:
@@ -69,16 +68,18 @@ class Root:
             new = Path(folder, system.suite + ".whole")
             shutil.rmtree(new, ignore_errors=True)
             with open(self.log, "a", encoding="utf-8") as log:
-                subprocess.run(["debootstrap", "--variant=minbase", system.suite, new,
-                                archive(system.label)], check=True, stdout=log, stderr=log)
+                made = subprocess.run(["debootstrap", "--variant=minbase", system.suite, new,
+                                       archive(system.label)], check=False, stdout=log, stderr=log)
+            if made.returncode:
+                sys.exit(f"matrix: debootstrap makes no root of {system.name}: {self.log}")
             new.rename(base)
-        shutil.rmtree(self.path, ignore_errors=True)
+        if self.path.exists():
+            shutil.rmtree(self.path)
         subprocess.run(["cp", "-a", "--reflink=auto", base, self.path], check=True)
         shutil.rmtree(self.path / "var/lib/apt/lists")  # as in an image of a container
-        for name in "/etc/resolv.conf", ENVIRONMENT["PIP_CERT"]:
+        for name, to in ("/etc/resolv.conf", ""), (CERTIFICATES, ENVIRONMENT["PIP_CERT"]):
             if Path(name).exists():
-                (self.path / name[1:]).parent.mkdir(parents=True, exist_ok=True)
-                shutil.copyfile(name, self.path / name[1:])
+                shutil.copyfile(name, self.path / (to or name)[1:])
 
     def run(self, command, folder="/sphaera", **more):
         """(exit code, what it said)"""
@@ -126,6 +127,7 @@ def versions(root):
 
 def column(root):
     """What a release's column of the table has: row, cell; whether all went well."""
+    commit = said_by("git", "describe", "--always", "--dirty=+", "--exclude=*").strip()
     root.built()
     before = root.run("dpkg-query -W | wc -l")[1].strip()
     cells, good = {}, True
@@ -137,7 +139,7 @@ def column(root):
         elif step.command.startswith("echo"):
             cell = last
         else:
-            skips = len(re.findall("# SKIP", said))
+            skips = sum(map(int, re.findall(r"(\d+) skipped", said)))
             cell = "ok" + (f", {skips} skipped" if skips else "")
         if lacks := re.findall("^setup: this release has no package (.*)", said, re.M):
             cell += f", without {lacks[-1]}"
@@ -148,7 +150,7 @@ def column(root):
             print(*said.splitlines()[-12:], sep="\n", flush=True)
     newest = re.search(r"Yosys (\d+[.]\d+)", root.run(f"{NEWEST} -V")[1])
     found = versions(root)
-    return {"commit": measured.commit()[0], **{TOOLS[tool]: found[tool] for tool in TOOLS},
+    return {"commit": commit, **{TOOLS[tool]: found[tool] for tool in TOOLS},
             "Yosys of PyPI": newest[1] if newest else "none", **cells}, good
 
 
@@ -167,13 +169,13 @@ def table(folder):
 
 
 def main(folder, page, *names):
-    if os.geteuid() or not shutil.which("debootstrap"):
-        sys.exit("make matrix: it makes roots of other releases, as root, by debootstrap: "
-                 "make matrix-setup")
     suites = {system.suite: system for system in SYSTEMS}
     for name in names:
         if name not in suites:
-            sys.exit(f"make matrix: there is no {name}; there are {', '.join(suites)}")
+            sys.exit(f"matrix: there is no {name}; there are {', '.join(suites)}")
+    if os.geteuid() or not shutil.which("debootstrap"):
+        sys.exit("matrix: roots of other releases are made as root, by debootstrap: "
+                 "make matrix-setup")
     Path(folder).mkdir(parents=True, exist_ok=True)
     good = True
     for name in names or suites:

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """FOLDER has price.json of `sphaera price`; with CELLS=1 cores whose cells are estimated there or
 not known are synthesised (kept in BUILD/synth, and taken from there in any case), with RTL=1 every
-row is simulated. Writes price.json anew, price.svg and price.html, and prints the table. What is
-estimated has ~ before it, what is not known is -."""
+row is simulated. Writes price.json anew, price.svg, energy.svg and price.html, and prints the
+table. What is estimated has ~ before it, what is not known is -."""
 import json
 import os
 import subprocess
@@ -123,15 +123,25 @@ def text(price):
 
 
 def plot(folder, price):
-    """Error against time; True if there is a point."""
+    """{heading: picture} of error against time and against energy, of those that have a point."""
     drawn = [row for row in price["rows"] if not row["why"] and row["measured"]["psnr"] is not None]
     timed = all(row["milliseconds"] for row in drawn)
-    dots = [(row["milliseconds"] if timed else row.get("rtl") or row["cycles_per_pixel"],
-             error(row["measured"]["psnr"]), row["name"]) for row in drawn]
-    of_profiles = [dot for dot in dots if dot[2] in PROFILES]
-    series = [("profiles", of_profiles)] + [("", [dot]) for dot in dots if dot not in of_profiles]
-    return draw(str(folder / "price.svg"), str(folder), "What accuracy costs in time",
-                "ms a frame" if timed else "cycles a pixel", series)
+    found = {}
+    for name, what, axis, costs in (
+            ("price", "time", "ms a frame" if timed else "cycles a pixel",
+             [row["milliseconds"] if timed else row.get("rtl") or row["cycles_per_pixel"]
+              for row in drawn]),
+            ("energy", "energy", "nJ a pixel, as standard cells of 0.18 um",
+             [row["energy"]["nj_pixel"] if row.get("energy") else None for row in drawn])):
+        dots = [(cost, error(row["measured"]["psnr"]), row["name"])
+                for row, cost in zip(drawn, costs) if cost is not None]
+        profiles = [dot for dot in dots if dot[2] in PROFILES]
+        series = [("profiles", profiles)] + [("", [dot]) for dot in dots if dot not in profiles]
+        path = folder / f"{name}.svg"
+        if dots and draw(str(path), str(folder), f"What accuracy costs in {what}", axis, series):
+            svg = path.read_text("utf-8")
+            found[f"Error against {what}"] = svg[svg.index("<svg"):]
+    return found
 
 
 def strip(folder, scene, tool, price):
@@ -164,12 +174,9 @@ def style(price):
 
 
 def pictures(folder, scene, tool, price):
-    """The plot, and where each profile's picture is off."""
-    body = ""
-    if plot(folder, price):
-        svg = (folder / "price.svg").read_text("utf-8")
-        body = "<h2>Error against time</h2>" + svg[svg.index("<svg"):]
-    return body + "<h2>Where pictures differ from the scene as written</h2>" \
+    """The plots, and where each profile's picture is off."""
+    plots = "".join(f"<h2>{head}</h2>{svg}" for head, svg in plot(folder, price).items())
+    return plots + "<h2>Where pictures differ from the scene as written</h2>" \
         + strip(folder, scene, tool, price)
 
 

@@ -115,6 +115,7 @@ def drawing(events):
     for clock in range(0, last + 1, TICK):
         out += [f'<path class="grid" d="M{x(clock)} {TOP}V{below}"/>',
                 text(x(clock), below + 16, clock)]
+    out.append(text(LEFT - 8, below + 16, "clocks", "name", "end"))
     for name, begin, end in spans(events):
         css = "surface" if name == "surface" else "ray"
         out.append(f'<rect class="{css}" x="{x(begin)}" y="8" width="{(end - begin) * scale:.1f}" '

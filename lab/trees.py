@@ -18,7 +18,7 @@ from .pages.place import place
 from .runner import PROTEIN
 from .runner import Runner as Runs
 from .synth import report
-from .tree_options import OF_FOUR, options
+from .tree_options import BVH4, OF_FOUR, options
 
 NO_ID, HEAD = 0xFFFFFF, 32  # of a frame file: cmodel/core/frame.h
 SIZE, LARGE = "160x90", "96x64"
@@ -134,6 +134,19 @@ def bounded(runner):
                          "bound"], rows)
 
 
+def hardware(runner):
+    """Visits of a ray in the tree that hardware builds and in those of the host."""
+    rows = []
+    for name, source in [("`paper5`", "paper5"), *BALLS, ("random:100000", "gen random:100000")]:
+        scene = runner.scene(source)
+        drawn = [runner.drawn(scene, *options(tree)) for tree in BVH4]
+        same(scene, *drawn)
+        visits = [each(d, "node_visits")[0] for d in drawn]
+        rows.append([name, primitives(drawn[0]), *visits,
+                     f"{float(visits[-1]) / float(visits[-2]):.2f}"])
+    return report.table(["scene", "spheres", *BVH4, "hw / reinserted"], rows)
+
+
 def boxes(runner):
     """Visits and exact tests a pixel."""
     ways = {"bvh4": options("bvh4"), "bih": options("bih1"), "box4": options("box4")}
@@ -170,7 +183,8 @@ def main(tool, folder, page):
     runner = Runner(tool, folder)
     place(page, "make trees", {
         "work": lambda: work(runner, ALL, "leaf_tests", "leaves"),
-        "bound": lambda: bounded(runner), "boxes": lambda: boxes(runner),
+        "bound": lambda: bounded(runner), "hardware": lambda: hardware(runner),
+        "boxes": lambda: boxes(runner),
         "facets": lambda: work(runner, FACETS, "facet_tests", "facets"),
         "walk": lambda: walked(runner)})
 

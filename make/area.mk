@@ -18,7 +18,7 @@ PIPES    ?= 1
 LEAF_UNITS   ?= 0
 SHADES   ?= 0
 # bits that a root and a quotient gain a clock
-ROOT_STEP     ?= 2
+ROOT_STEP     ?= 1
 QUOTIENT_STEP ?= 2
 # others, as sim/cores.py takes them
 SIZES    ?=

@@ -23,7 +23,7 @@ PIPES   ?= 1
 LEAF_UNITS  ?= 0
 SHADES  ?= 0
 # bits that a root and a quotient gain a clock
-ROOT_STEP     ?= 2
+ROOT_STEP     ?= 1
 QUOTIENT_STEP ?= 2
 # others, as sim/cores.py takes them
 SIZES   ?=
@@ -104,7 +104,7 @@ $K/tb_core.vvp: tb/core/tb_core_icarus.v $K/rtl.v tb/core/icarus_pins.vh
 	    { cat $@.log >&2; exit 1; }
 	@cat $@.log >&2
 
-# Verilator's warnings are errors; none is waived.
+# None of Verilator's warnings is waived.
 $K/core.cpp: $(RTL_FILES) tb/core/stages.vlt $K/verilator.flags
 	@mkdir -p $(@D)
 	@rm -f $K/Vrt_core*

@@ -21,7 +21,7 @@ netlist: $(NETLISTS) ## netlists of core and rt_top for ECP5, simulated: 8 proce
 	$(Q)$(net_top) run
 
 $(NETLIST)/core/rtl/rt_core.v: $(NETTED)
-	$(Q)sh synth/netlist.sh rt_core $(NETLIST)/core $(net_core) ENGINES=1 ROOT_STEP=2 \
+	$(Q)sh synth/netlist.sh rt_core $(NETLIST)/core $(net_core) ENGINES=1 ROOT_STEP=1 \
 	    QUOTIENT_STEP=2
 $(NETLIST)/top/rtl/rt_top.v: $(NETTED)
 	$(Q)sh synth/netlist.sh rt_top $(NETLIST)/top $(net_core) DATA=64 VIDEO=1

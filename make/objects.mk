@@ -17,6 +17,8 @@ COMPILED := $(CC) $(CFLAGS) $(SHARED) / $(CXX) $(CXXFLAGS) / $(SANITIZE) / \
             $(CLANG_CC) $(CLANG_SANITIZE)
 COMPILERS := $(CC) $(CXX) $(CLANG_CC)
 $B/flags: FORCE
+	$(if $(call exists,$(MODEL_PACKAGES) jansson),,$(error not all of $(MODEL_PACKAGES) jansson are \
+	    installed: make setup tool))
 	$(call stamp,$(COMPILED),$(COMPILERS))
 $B/sources: FORCE
 	$(call stamp,$(LIB_C) / $(TOOL_C) / $(IMAGE_C) $(LAZY_C) / $(API_C))

@@ -33,6 +33,8 @@ RUN      = $(if $(ONLY),$(foreach s,$(plain),$(call chosen,$s)),$(SUITES))
 
 test: ## every check; ends with `N passed, M failed`
 	$(if $(strip $(RUN)),,@$(front) suites '$(ONLY)' $(notdir $(SUITES)))
+	$(if $(filter $B/test/%,$(RUN)),$(if $(call exists,cmocka),,$(error cmocka is not installed: \
+	    make setup test)))
 	+@unbuilt=; $(MAKE) --no-print-directory -k suites || unbuilt=1; \
 	    UNBUILT=$$unbuilt BUILD=$B JOBS=$(JOBS) sh tests/run.sh $(RUN)
 

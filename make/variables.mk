@@ -22,7 +22,7 @@ ERROR ?=
 SIZE ?= 320x180
 ## SAMPLES 1..16 N x N rays a pixel: the frame is N times as wide and high, pictures have the mean
 SAMPLES ?= 1
-## TREE reinserted|balanced|paper|paper-grown of bvh4
+## TREE reinserted|balanced|paper|paper-grown|hw of bvh4
 TREE ?= reinserted
 ## ACCEL auto|bvh4|box4|bih|brute spheres or boxes around four children, a bounding interval
 ##             hierarchy, no tree;
@@ -58,7 +58,7 @@ EXACTS ?=
 ## SHADES 0|1|2|4 shading units of an engine; 0: 1, 2, 2, 4 for 1, 2, 3, 4 pipes
 SHADES ?= 0
 ## ROOT_STEP 1..W+WD bits that a root of the core gains a clock
-ROOT_STEP ?= 2
+ROOT_STEP ?= 1
 ## QUOTIENT_STEP 1..PQ bits that a quotient of the core gains a clock
 QUOTIENT_STEP ?= 2
 ## SIZES <sizes>| of the core besides, such as units=1,leaf_interval=4 (empty: as the profile has)

@@ -8,6 +8,11 @@
 +incdir+rtl/top
 +incdir+rtl/trace
 +incdir+rtl/video
+rtl/build/rt_build.v
+rtl/build/rt_build_bound.v
+rtl/build/rt_build_chain.v
+rtl/build/rt_build_nodes.v
+rtl/build/rt_build_sort.v
 rtl/bus/rt_axi_read.v
 rtl/bus/rt_axi_write.v
 rtl/core/rt_core.v
@@ -33,6 +38,7 @@ rtl/math/rt_reciprocal.v
 rtl/math/rt_reciprocal_rom.v
 rtl/math/rt_rsqrt_rom.v
 rtl/math/rt_square.v
+rtl/math/rt_stages.v
 rtl/math/rt_unit.v
 rtl/math/rt_unit_four.v
 rtl/math/rt_units.v
@@ -64,8 +70,8 @@ rtl/prim/rt_leaf_four.v
 rtl/prim/rt_leaf_sums.v
 rtl/prim/rt_leaf_two.v
 rtl/prim/rt_prim.v
-rtl/prim/rt_root_pool.v
 rtl/prim/rt_sphere.v
+rtl/prim/rt_sphere_key.v
 rtl/shade/rt_blend.v
 rtl/shade/rt_blends.v
 rtl/shade/rt_colour.v

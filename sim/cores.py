@@ -35,7 +35,7 @@ from words import Wrong, nearest
 DEFINITION = definition.read()
 # of make, with what rt_core has by itself, and the word for it in the name of a core
 OWN = {"ENGINES": ("1", None), "PIPES": ("1", "pipes"), "LEAF_UNITS": ("0", "leaf_units"),
-       "SHADES": ("0", "shades"), "ROOT_STEP": ("2", "root"), "QUOTIENT_STEP": ("2", "quotient")}
+       "SHADES": ("0", "shades"), "ROOT_STEP": ("1", "root"), "QUOTIENT_STEP": ("2", "quotient")}
 
 
 def meant(word, words):

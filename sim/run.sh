@@ -10,7 +10,7 @@
 #
 # The folder BUILD/out/SCENE-PROFILE-SIZE-DIGEST has these variables in its file key, and what the
 # goal leaves: scene.sph and build.json; of render model.png, model.frame, model.json; of sim
-# pictures, frames, report.json, report.html and log; of price price.json, price.html and price.svg.
+# pictures, frames, report.json, report.html and log; of price price.json, price.html and its plots.
 # `core` prints profile and core that the
 # machine asks for.
 # Everything is made anew each time, under a lock; BUILD/out/last is the folder of the last run.

@@ -16,14 +16,13 @@ shift 3
 mkdir -p "$out"
 tool() { # nextpnr-ecp5, ecppack
     command -v "$1" || {
-        [ -x "$venv/bin/yowasp-$1" ] && echo "$venv/bin/yowasp-$1"
+        [ -x "$venv/bin/yowasp-$1" ] && echo "$(cd "$venv/bin" && pwd)/yowasp-$1"
     } || {
         echo "board: no bitstream, $1 is absent: make board-setup" >&2
         exit 3
     }
 }
 if [ "$venv" = - ]; then pnr=/- pack=/-; else pnr=$(tool nextpnr-ecp5) pack=$(tool ecppack); fi
-case $pnr in /*) ;; *) pnr=$(pwd)/$pnr pack=$(pwd)/$pack ;; esac
 YOWASP_CACHE_DIR=${YOWASP_CACHE_DIR:-$(cd "$out/.." && pwd)/cache}
 export YOWASP_CACHE_DIR
 set_all=

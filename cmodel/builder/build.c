@@ -65,6 +65,9 @@ static int check_effects(const struct sph_scene *scene, const struct sph_build_o
     if (o->traverse == SPH_BUILD_FIRST && scene->n_facets)
         return sph_fail(err, "%s:%u: traverse first is for spheres: there are triangles or planes",
                         scene->path, scene->facets[0].line);
+    if (o->tree == SPH_TREE_HW && scene->n_facets)
+        return sph_fail(err, "%s:%u: tree hw is of spheres: there are triangles or planes",
+                        scene->path, scene->facets[0].line);
     if (o->lights < SPH_AUTO || o->lights > scene->n_lights)
         return sph_fail(err, "%s: %d lights are asked for, the scene has %d", scene->path,
                         o->lights, scene->n_lights);

@@ -11,6 +11,7 @@
 
 #include "builder/tree/box.h"
 #include "builder/emit.h"
+#include "build/build_tree.h"
 #include "common/parallel.h"
 #include "machine/records.h"
 #include "builder/prim/build.h"
@@ -205,17 +206,27 @@ static int put_tree(struct sph_machine *m, struct content *c, struct sph_error *
     return failed ? -1 : 0;
 }
 
+/* Nodes and leaf records as rt_build makes them of the primitive records. */
+static int put_built(struct sph_machine *m, const struct sph_profile *p, struct sph_error *err) {
+    uint32_t n = (uint32_t)m->regs[SPH_REG_N_PRIMS], written;
+    struct sph_bt_job job = {n, (uint32_t)m->regs[SPH_REG_PRIM_BASE], 0, UINT32_MAX};
+    int reasons = sph_bt_words(m->mem, &job, n, p, &written, err);
+    if (reasons <= 0) return reasons;
+    return sph_fail(err, "a radius is not within 1 .. 2^%d - 1", p->w);
+}
+
 int sph_emit_memory(const struct sph_scene *scene, const struct sph_plants *plants,
                     const struct sph_tree *tree, struct sph_machine *machine,
                     struct sph_error *err) {
     const struct sph_facets *facets = plants->facets;
     struct content c = {scene, tree, plants, NULL};
     uint64_t base = tree_lines(tree, facets->n > 0);
+    int hardware = plants->kind == SPH_TREE_HW;
     if (sph_emit_alloc(machine, base + scene->n_spheres + 2ull * facets->n, err) ||
-        put_tree(machine, &c, err))
+        (!hardware && put_tree(machine, &c, err)))
         return -1;
     sph_emit_prims(scene, plants->balls, facets, (uint32_t)base, tree->n_nodes, machine);
-    return 0;
+    return hardware ? put_built(machine, plants->profile, err) : 0;
 }
 
 int sph_emit_again(const struct sph_scene *scene, const struct sph_plants *plants,

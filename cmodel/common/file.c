@@ -115,7 +115,7 @@ void sph_output_clean(void) {
 }
 
 /* Looks what path is; nothing is opened. */
-static int look_at(struct sph_output *out, const char *path, struct sph_error *err) {
+static int look_at(struct sph_output *out, const char *path, int named, struct sph_error *err) {
     struct stat st;
     memset(out, 0, sizeof *out);
     if (!*path) return sph_fail(err, "empty output file name");
@@ -127,13 +127,15 @@ static int look_at(struct sph_output *out, const char *path, struct sph_error *e
     } else if (S_ISDIR(st.st_mode)) {
         return sph_fail(err, "%s: %s", path, strerror(EISDIR));
     } else if (!S_ISREG(st.st_mode)) {
-        return 0;
+        return named ? sph_fail(err, "%s: is %s, not a file", path, kind(st.st_mode)) : 0;
     }
     out->renamed = 1;
     return 0;
 }
 
-int sph_output_beside(char *name, size_t size, const char *stem, const char *ending) {
+/* Makes an empty file that nobody else has, with the rights that a new file gets: into name, of
+ * `size` bytes, stem.RANDOM.ending. It is noted. Its descriptor, or -1 with errno set. */
+static int make_beside(char *name, size_t size, const char *stem, const char *ending) {
     for (int i = 0; i < 100; i++) {
         uint64_t number;
         if (getrandom(&number, sizeof number, 0) != sizeof number) return -1;
@@ -146,56 +148,82 @@ int sph_output_beside(char *name, size_t size, const char *stem, const char *end
     return -1;
 }
 
+static void remove_temporary(const struct sph_output *out) {
+    unlink(out->temporary);
+    sph_output_forget(out->temporary);
+}
+
 static int give_name(struct sph_output *out, struct sph_error *err) {
     if (!out->temporary[0]) return 0;
-    int cause = rename(out->temporary, out->path) ? errno : 0;
-    if (cause) unlink(out->temporary);
+    if (rename(out->temporary, out->path)) {
+        sph_fail(err, "%s: %s", out->path, strerror(errno));
+        remove_temporary(out);
+        return -1;
+    }
     sph_output_forget(out->temporary);
-    if (!cause) return 0;
-    return sph_fail(err, "%s: %s", out->path, strerror(cause));
+    return 0;
 }
 
 /* Opens the temporary file; if that fails none is left. */
-static void open_temporary(struct sph_output *out, const char *path) {
-    int fd = sph_output_beside(out->temporary, sizeof out->temporary, path, "tmp");
+static void open_temporary(struct sph_output *out, const char *ending) {
+    int fd = make_beside(out->temporary, sizeof out->temporary, out->path, ending);
     out->file = fd < 0 ? NULL : fdopen(fd, "wb");
     if (out->file) return;
     int cause = errno;
     if (fd >= 0) {
         close(fd);
-        unlink(out->temporary);
-        sph_output_forget(out->temporary);
+        remove_temporary(out);
     }
     out->temporary[0] = 0;
     errno = cause;
 }
 
-int sph_output_open(struct sph_output *out, const char *path, struct sph_error *err) {
-    if (!strcmp(path, "-")) {
-        *out = (struct sph_output){.file = stdout, .path = "standard output"};
-        return 0;
-    }
-    if (look_at(out, path, err)) return -1;
+static int open_any(struct sph_output *out, const char *path, const char *ending, int named,
+                    struct sph_error *err) {
+    if (look_at(out, path, named, err)) return -1;
     if (out->renamed)
-        open_temporary(out, path);
+        open_temporary(out, ending);
     else
         out->file = fopen(out->path, "wb");
     return out->file ? 0 : sph_fail(err, "%s: %s", path, strerror(errno));
 }
 
-int sph_output_close(struct sph_output *out, int failed, struct sph_error *err) {
+int sph_output_open(struct sph_output *out, const char *path, struct sph_error *err) {
+    if (strcmp(path, "-") != 0) return open_any(out, path, "tmp", 0, err);
+    *out = (struct sph_output){.file = stdout, .path = "standard output"};
+    return 0;
+}
+
+int sph_output_open_named(struct sph_output *out, const char *path, const char *ending,
+                          struct sph_error *err) {
+    return open_any(out, path, ending, 1, err);
+}
+
+/* A file system that has nothing to wait for says EINVAL. */
+static int to_disk(FILE *file) {
+    return fsync(fileno(file)) && errno != EINVAL;
+}
+
+/* Why a write failed, which a stream does not keep: the next one, to a file that will be removed,
+ * fails as well. */
+static int why_failed(const struct sph_output *out) {
     errno = 0;
-    int bad = ferror(out->file) || fflush(out->file);
-    int cause = errno;
+    if (out->temporary[0] && write(fileno(out->file), "", 1) < 0) return errno;
+    return 0;
+}
+
+int sph_output_close(struct sph_output *out, int failed, struct sph_error *err) {
+    int bad = ferror(out->file), cause = bad && !failed ? why_failed(out) : 0;
+    if (!bad && (fflush(out->file) || (out->temporary[0] && !failed && to_disk(out->file)))) {
+        bad = 1;
+        cause = errno;
+    }
     if (out->file != stdout && fclose(out->file) && !bad) {
         bad = 1;
         cause = errno;
     }
     if (!bad && !failed) return give_name(out, err);
-    if (out->temporary[0]) {
-        unlink(out->temporary);
-        sph_output_forget(out->temporary);
-    }
+    if (out->temporary[0]) remove_temporary(out);
     if (failed) return -1;
     return sph_fail(err, "%s: %s", out->path, cause ? strerror(cause) : "write error");
 }

@@ -24,8 +24,10 @@ FILE *sph_input_open(const char *path, long long most, struct sph_error *err);
 int sph_input_starts(const char *path, const char *bytes, size_t n);
 
 /* ---- files that are written whole or not at all ---- */
-/* A file is written under a temporary name in the folder of its final one and renamed at the end.
- * A device or a pipe, which has no final name to be renamed to, is written directly. */
+/* A file is written under a temporary name, PATH.RANDOM.ENDING, in the folder of its final one, and
+ * renamed when it is on the disk. The temporary file is new, with the rights that a new file gets:
+ * no link that stands there is followed, and two threads, processes or containers never get the
+ * same name. A device or a pipe, which has no final name to be renamed to, is written directly. */
 
 struct sph_output {
     FILE *file;
@@ -36,15 +38,15 @@ struct sph_output {
 /* Opens path for writing ("-": standard output) as out->file. 0, or -1 with a message. */
 int sph_output_open(struct sph_output *out, const char *path, struct sph_error *err);
 
-/* Closes, checks for write errors and renames; with failed != 0 closes and removes instead.
+/* The same for a file that something else writes by its name, out->temporary, which ends in
+ * `ending`; out->file stays empty. A device or a pipe is refused. */
+int sph_output_open_named(struct sph_output *out, const char *path, const char *ending,
+                          struct sph_error *err);
+
+/* Waits for the disk, closes and renames, and tells which of these, or a write, failed: what had
+ * that name before is then still there. With failed != 0 closes and removes instead.
  * 0, or -1 (with a message unless failed). */
 int sph_output_close(struct sph_output *out, int failed, struct sph_error *err);
-
-/* Makes an empty file that nobody else has, with the rights that a new file gets: into name, of
- * `size` bytes, stem.RANDOM.ending. It is noted as below. No link that stands there is followed,
- * and two threads, processes or containers never get the same name. Its descriptor, or -1 with
- * errno set. */
-int sph_output_beside(char *name, size_t size, const char *stem, const char *ending);
 
 /* ---- what is left when a signal ends the program ---- */
 

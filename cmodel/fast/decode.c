@@ -12,6 +12,7 @@
 #include "prim/prim.h"
 #include "prim/sphere.h"
 #include "trace/filter.h"
+#include "trace/order.h"
 
 enum { WORTH = 4096 }; /* nodes, a thread */
 
@@ -166,7 +167,7 @@ static int decode(struct job *j, struct sph_fast *f) {
 static int known(const struct sph_machine *m) {
     int tree = m->regs[SPH_REG_TREE];
     return sph_machine_bih(m) || tree == SPH_TREE_PAPER || tree == SPH_TREE_BALANCED ||
-           tree == SPH_TREE_REINSERTED || tree == SPH_TREE_BOX4;
+           tree == SPH_TREE_REINSERTED || tree == SPH_TREE_BOX4 || tree == SPH_TREE_HW;
 }
 
 /* Whether the registers of a BIH let a ray start, as in sph_bih_walk(). */
@@ -204,13 +205,14 @@ static int decode_tree(struct job *j, struct sph_fast *f, int lanes) {
         f->packet = NULL;
     }
 #if defined __x86_64__
-    if (lanes == SPH_FAST_BEST && sph_fast_walk_avx2 && __builtin_cpu_supports("avx2")) {
+    if (lanes == SPH_FAST_BEST && SPH_ORDER_IN_LANES && sph_fast_walk_avx2 &&
+        __builtin_cpu_supports("avx2")) {
         f->walk = boxes ? sph_fast_walk_boxes_avx2 : sph_fast_walk_avx2;
         f->packet = boxes ? NULL : sph_packet_avx2;
         f->lanes = "avx2";
     }
 #elif defined __aarch64__
-    if (lanes == SPH_FAST_BEST && !boxes) {
+    if (lanes == SPH_FAST_BEST && SPH_ORDER_IN_LANES && !boxes) {
         f->walk = sph_fast_walk_neon;
         f->lanes = "neon";
     }

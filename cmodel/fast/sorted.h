@@ -5,6 +5,7 @@
 #define SPH_FAST_SORTED_H
 
 #include "fast/decoded.h"
+#include "trace/order.h"
 
 enum { KEY_NONE = INT32_MAX };
 
@@ -43,14 +44,13 @@ static keys without(keys k, int32_t key) {
     return (keys){{k.at[1], k.at[2], k.at[3], KEY_NONE}};
 }
 
-/* Those of the children met, bit 2 i of child i, of a node that are nodes; any: all are equally
- * near. */
+/* Those of the children met, bit 2 i of child i, of a node that are nodes. */
 static keys sorted(const struct sph_fast_node *n, unsigned met, const int32_t near[4], int any) {
     keys order = no_keys();
     int count = 0;
     for (int i = 0; i < n->n_inner; i++) {
         if (!(met >> 2 * i & 1)) continue;
-        int32_t key = (any ? INT16_MIN : near[i]) * 4 + i;
+        int32_t key = sph_child_depth(any, near[i], i) * 4 + i;
         int at = count++;
         for (; at > 0 && key < order.at[at - 1]; at--)
             order.at[at] = order.at[at - 1];

@@ -7,7 +7,6 @@
 #include <cstring>
 #include <memory>
 #include <string>
-#include <unistd.h>
 
 #include "common/file.h"
 #include "image/file.h"
@@ -52,22 +51,17 @@ bool ends(const char *name) {
 int sph_image_write_gif(const char *path, const char *const *pictures, int n, double rate,
                         struct sph_error *err) {
     return sph_picture::guarded(path, err, [&] {
-        char name[4096];
-        int fd = sph_output_beside(name, sizeof name, path, "tmp.gif");
-        if (fd < 0) return sph_fail(err, "%s: %s", path, std::strerror(errno));
-        ::close(fd); // written by name
+        struct sph_output file;
+        if (sph_output_open_named(&file, path, "tmp.gif", err)) return -1;
+        const char *name = file.temporary;
         std::unique_ptr<OIIO::ImageOutput> out = OIIO::ImageOutput::create("gif");
-        if (!out) return sph_fail(err, "%s: %s", path, OIIO::geterror().c_str());
         struct sph_image size = {};
-        int rc = 0;
+        int rc = out ? 0 : sph_fail(err, "%s: %s", path, OIIO::geterror().c_str());
         for (int i = 0; i < n && !rc; i++)
             rc = add(*out, name, pictures[i], i == 0, rate, &size, err);
-        if (!out->close() && !rc) rc = sph_fail(err, "%s: %s", path, out->geterror().c_str());
+        if (out && !out->close() && !rc)
+            rc = sph_fail(err, "%s: %s", path, out->geterror().c_str());
         if (!rc && !ends(name)) rc = sph_fail(err, "%s: %s", path, std::strerror(ENOSPC));
-        if (!rc && std::rename(name, path))
-            rc = sph_fail(err, "%s: %s", path, std::strerror(errno));
-        if (rc) std::remove(name);
-        sph_output_forget(name);
-        return rc;
+        return sph_output_close(&file, rc, err);
     });
 }

@@ -32,7 +32,7 @@ static void *find(const char *name, const char *path, struct sph_error *err) {
     }
     pthread_mutex_unlock(&lock);
     void *function = object ? dlsym(object, name) : NULL;
-    if (!function) sph_fail(err, "%s: needs OpenImageIO: %s", path, why);
+    if (!function) sph_fail(err, "%s: needs OpenImageIO (make images-setup): %s", path, why);
     return function;
 }
 

@@ -25,9 +25,10 @@ enum { LONGEST = 4096 };
 struct sph_video {
     int width, height;
     double rate;
-    char path[LONGEST], temporary[LONGEST + 64], how[LONGEST + 128];
-    pid_t child; /* ffmpeg; 0: pictures */
-    int to;      /* its standard input, a socket: writing to a dead one is an error, no signal */
+    char path[LONGEST], how[LONGEST + 128];
+    struct sph_output out; /* that ffmpeg writes */
+    pid_t child;           /* ffmpeg; 0: pictures */
+    int to; /* its standard input, a socket: writing to a dead one is an error, no signal */
     unsigned number;
     struct sph_frame frame; /* of a numbered picture */
     uint8_t *rgb;
@@ -48,10 +49,10 @@ static int spawn(struct sph_video *v) {
                           : "null";
     snprintf(size, sizeof size, "%dx%d", v->width, v->height);
     snprintf(rate, sizeof rate, "%g", v->rate);
-    const char *const words[] = {"ffmpeg",     "-loglevel",  "error", "-y",          "-f",
-                                 "rawvideo",   "-pix_fmt",   "rgb24", "-video_size", size,
-                                 "-framerate", rate,         "-i",    "pipe:0",      "-vf",
-                                 fit,          v->temporary, NULL};
+    const char *const words[] = {
+        "ffmpeg",         "-loglevel", "error",      "-y", "-f", "rawvideo", "-pix_fmt", "rgb24",
+        "-video_size",    size,        "-framerate", rate, "-i", "pipe:0",   "-vf",      fit,
+        v->out.temporary, NULL};
     char *const *argv = (char *const *)(const void *)words; /* posix_spawn writes to none */
     posix_spawn_file_actions_t actions;
     posix_spawnattr_t plain; /* signals as a program expects them, whatever this one blocks */
@@ -113,13 +114,15 @@ struct sph_video *sph_video_open(const char *path, int width, int height, double
     snprintf(v->path, sizeof v->path, "%s", path);
     snprintf(v->how, sizeof v->how, "%s, by ffmpeg", path);
     if (!sph_image_format(path, NULL)) {
-        v->path[stem] = 0;
-        int fd = sph_output_beside(v->temporary, sizeof v->temporary, v->path, path + stem + 1);
-        snprintf(v->path, sizeof v->path, "%s", path);
-        int error = fd < 0 ? errno : spawn(v); /* which writes by name */
-        if (fd >= 0) close(fd);
+        char last[LONGEST + 4]; /* ffmpeg goes by it */
+        snprintf(last, sizeof last, "tmp%s", path + stem);
+        if (sph_output_open_named(&v->out, path, last, err)) {
+            sph_video_close(v, 1, NULL);
+            return NULL;
+        }
+        int error = spawn(v);
         if (!error) return v;
-        if (fd >= 0) unlink(v->temporary), sph_output_forget(v->temporary);
+        sph_output_close(&v->out, 1, NULL);
         why = error == ENOENT ? ": ffmpeg is not installed" : ": ffmpeg does not start";
     }
     v->path[stem] = 0;
@@ -160,10 +163,7 @@ int sph_video_close(struct sph_video *v, int failed, struct sph_error *err) {
     if (v->child) {
         close(v->to);
         if (!ended(v->child) && !rc) rc = sph_fail(err, "%.400s: ffmpeg failed", v->path);
-        if (!rc && rename(v->temporary, v->path))
-            rc = sph_fail(err, "%.400s: %s", v->path, strerror(errno));
-        if (rc) unlink(v->temporary);
-        sph_output_forget(v->temporary);
+        rc = sph_output_close(&v->out, rc, err);
     }
     free(v->rgb);
     sph_frame_free(&v->frame);

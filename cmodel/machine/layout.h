@@ -49,7 +49,8 @@
 #define SPH_TREE_BIH 3
 #define SPH_TREE_BRUTE 4
 #define SPH_TREE_BOX4 6
-#define SPH_TREE_LAST 6
+#define SPH_TREE_HW 7
+#define SPH_TREE_LAST 7
 #define SPH_BIH_STACK 64
 #define SPH_BIH_T 22
 #define SPH_BIH_V 18
@@ -59,6 +60,9 @@
 #define SPH_BOX_CROSS 17
 #define SPH_BOX_FINE 4
 #define SPH_BOX_NEAR 11
+#define SPH_BUILD_AXIS 8
+#define SPH_BUILD_DIGIT 6
+#define SPH_BUILD_STACK 32
 #define SPH_FRAMES 3
 #define SPH_SPHERE 0
 #define SPH_TRIANGLE 1
@@ -548,7 +552,7 @@
     X(TEXTURE_COORDS, 2) \
     X(ROOTS, 0) \
     X(QUOTIENTS, 2) \
-    X(ROOT_STEP, 2) \
+    X(ROOT_STEP, 1) \
     X(QUOTIENT_STEP, 2) \
     X(LEAF_INTERVAL, 2) \
     X(FACET_INTERVAL, 0) \
@@ -577,10 +581,11 @@
 #define SPH_EACH_RATE(X)  \
     X(FACET_CLOCKS, (FACET_INTERVAL != 0 ? FACET_INTERVAL : BOXES == 0 && W >= 18 ? 4 : 2)) \
     X(KEY_CLOCKS, ((2 * WD + 16) / 17)) \
-    X(ROOT_UNITS, (ROOTS != 0 ? ROOTS : PIPES > 1 ? 6 : 3)) \
-    X(ROOT_BITS, (PR != 0 ? PR : W + WD)) \
+    X(ROOT_STAGES, (ROOTS != 0 ? ROOTS : PIPES > 1 ? 12 : 6)) \
+    X(ROOT_ROUNDS, ((W + WD + ROOT_STEP - 1) / ROOT_STEP)) \
+    X(ROOT_CLOCKS, (ROOT_ROUNDS / ROOT_STAGES + 1)) \
     X(QUOTIENT_CLOCKS, ((PQ + QUOTIENT_STEP - 1) / QUOTIENT_STEP + 6)) \
-    X(REFRACT_CLOCKS, (62 + 11 * (WD > 17) + (ROOT_BITS + 1) / 2))
+    X(REFRACT_CLOCKS, (62 + 11 * (WD > 17) + ROOT_ROUNDS))
 #define SPH_EACH_LOAD(X)  \
     X(node_visits, "node visits", PIPES, node_visits + ACCEL * (rays + node_visits - child_tests/2)) \
     X(rays_set_up_for_planes, "rays set up for planes", PIPES, (ACCEL + BOXES > 0) * rays * 3) \
@@ -588,7 +593,7 @@
     X(exact_tests_of_spheres, "exact tests of spheres", LEAF_COUNT, leaf_tests * LEAF_INTERVAL) \
     X(exact_tests_of_facets, "exact tests of facets", LEAF_COUNT, facet_tests * FACET_CLOCKS) \
     X(keys_of_facets, "keys of facets", LEAF_COUNT, divisions * KEY_CLOCKS) \
-    X(roots, "roots", LEAF_COUNT * ROOT_UNITS, roots * ((ROOT_BITS - 1) / ROOT_STEP + 3)) \
+    X(roots, "roots", LEAF_COUNT, roots * ROOT_CLOCKS) \
     X(unit_vectors, "unit vectors", SETUP_UNITS * UNITS, vectors * UNIT_INTERVAL) \
     X(quotients, "quotients", SHADE_UNITS * QUOTIENTS, quotients * QUOTIENT_CLOCKS) \
     X(points_and_normals, "points and normals", SHADE_UNITS, quotients * HIT_INTERVAL) \

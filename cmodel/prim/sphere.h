@@ -39,7 +39,7 @@ struct sph_leaf_result sph_leaf_test(const struct sph_ray *ray, const struct sph
  * Cut roots make near keys grow and far keys shrink, so the nearest of two hits may be another one,
  * but with any tree the same: a sphere that is pruned lies behind the best key, its own key is no
  * smaller if near, and a ray that starts in it is never pruned from it.
- * RTL: rtl/prim/rt_root_pool.v */
+ * RTL: rtl/prim/rt_sphere_key.v */
 uint64_t sph_leaf_key_bits(const struct sph_leaf_result *r, int pr, uint64_t *roots);
 
 /* The root of a hit that is no exit, of which the pr most significant bits count; *inexact: it is

@@ -4,6 +4,7 @@
 #include "scene/arrays.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "common/number.h"
@@ -98,12 +99,34 @@ static int material_of(const struct sph_arrays *a, const char *array, const uint
                     a->n_materials);
 }
 
+/* The images that rows name; files are opened when a machine is built. */
+static int textures(struct sph_reader *r, const struct sph_arrays *a, struct sph_error *err) {
+    for (uint32_t i = 0; i < a->n_textures; i++) {
+        struct sph_texture t = {.colours = SPH_COLOURS_OF_FILE, .repeat = {1, 1}, .line = i + 1};
+        if (!a->textures[i] || !a->textures[i][0])
+            return sph_fail(err, "textures[%u]: the name of the image file is empty", i);
+        if (snprintf(t.path, sizeof t.path, "%s", a->textures[i]) >= (int)sizeof t.path)
+            return sph_fail(err, "textures[%u]: the name of the image file is too long", i);
+        if (sph_scene_add_texture(r->scene, &t, err)) return -1;
+    }
+    return 0;
+}
+
+/* The texture of a row, as primitives have it: 0 if it has none. */
+static int texture_of(const struct sph_arrays *a, const char *array, const uint32_t *of,
+                      uint32_t row, uint32_t *texture, struct sph_error *err) {
+    *texture = of && of[row] != SPH_ID_NONE ? of[row] + 1 : 0;
+    if (*texture <= a->n_textures) return 0;
+    return sph_fail(err, "%s[%u]: %u is none of %u textures", array, row, of[row], a->n_textures);
+}
+
 static int spheres(struct sph_reader *r, const struct sph_arrays *a, struct sph_error *err) {
     static const char *const names[] = {"x", "y", "z", "radius"};
     for (uint32_t i = 0; i < a->n_spheres; i++) {
         const double *s = a->spheres + (size_t)4 * i;
-        uint32_t material;
+        uint32_t material, texture;
         if (material_of(a, "sphere_materials", a->sphere_materials, i, &material, err) ||
+            texture_of(a, "sphere_textures", a->sphere_textures, i, &texture, err) ||
             check_row("spheres", i, names, s, 4, err))
             return -1;
         if (s[3] == 0) return sph_fail(err, "spheres[%u]: radius is 0", i);
@@ -114,6 +137,7 @@ static int spheres(struct sph_reader *r, const struct sph_arrays *a, struct sph_
                                  i + 1, err) ||
             sph_nff_note(r, SPH_READ_SPHERE, i + 1, err))
             return -1;
+        r->scene->spheres[r->scene->n_spheres - 1].texture = texture;
     }
     return 0;
 }
@@ -126,17 +150,23 @@ static int triangles(struct sph_reader *r, const struct sph_arrays *a, struct sp
     static const char *const names[] = {"corner 0 x", "corner 0 y", "corner 0 z",
                                         "corner 1 x", "corner 1 y", "corner 1 z",
                                         "corner 2 x", "corner 2 y", "corner 2 z"};
+    static const char *const places[] = {"corner 0 s", "corner 0 t", "corner 1 s",
+                                         "corner 1 t", "corner 2 s", "corner 2 t"};
     for (uint32_t i = 0; i < a->n_triangles; i++) {
         const double *v = a->triangles + (size_t)9 * i,
-                     *n = a->normals ? a->normals + (size_t)9 * i : NULL;
+                     *n = a->normals ? a->normals + (size_t)9 * i : NULL,
+                     *st = a->st ? a->st + (size_t)6 * i : NULL;
         struct sph_facet f = {.kind = SPH_TRIANGLE, .group = r->n_groups, .line = i + 1};
         if (material_of(a, "triangle_materials", a->triangle_materials, i, &f.material, err) ||
+            texture_of(a, "triangle_textures", a->triangle_textures, i, &f.texture, err) ||
             check_row("triangles", i, names, v, 9, err) ||
+            (st && check_row("st", i, places, st, 6, err)) ||
             (n && check_row("normals", i, names, n, 9, err)))
             return -1;
         for (int k = 0; k < 3; k++) {
             f.v[k] = vec(v + 3 * (size_t)k);
             if (n) f.n[k] = vec(n + 3 * (size_t)k);
+            if (st) memcpy(f.st[k], st + 2 * (size_t)k, sizeof f.st[k]);
         }
         f.smooth = n && sph_smooth_given(f.n);
         int empty = sph_triangle_empty(f.v[0], f.v[1], f.v[2]);
@@ -196,9 +226,9 @@ int sph_scene_of_arrays(const struct sph_arrays *a, struct sph_scene *scene,
     sph_nff_start(&r, scene, NULL);
     sph_scene_set_path(scene, a->name);
     r.lex.path = scene->path;
-    int bad = camera(a, scene, err) || materials(&r, a, err) || spheres(&r, a, err) ||
-              triangles(&r, a, err) || planes(&r, a, err) || lights(&r, a, err) ||
-              sph_nff_finish(&r, err) || sph_scene_nest(scene, err);
+    int bad = camera(a, scene, err) || materials(&r, a, err) || textures(&r, a, err) ||
+              spheres(&r, a, err) || triangles(&r, a, err) || planes(&r, a, err) ||
+              lights(&r, a, err) || sph_nff_finish(&r, err) || sph_scene_nest(scene, err);
     if (!bad) return 0;
     sph_scene_free(scene);
     return -1;

@@ -4,6 +4,7 @@
 #include "scene/window.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "scene/edit.h"
 #include "scene/vector.h"
@@ -45,4 +46,13 @@ int sph_camera_move_eye(struct sph_camera *camera, double right, double up, doub
     if (sph_camera_check(&c, where, err)) return -1;
     *camera = c;
     return 0;
+}
+
+int sph_camera_aim(const struct sph_aim *aim, struct sph_camera *camera, const char *where,
+                   struct sph_error *err) {
+    const double *eye = aim->eye;
+    if (aim->shifted) memcpy(camera->shift, aim->shift, sizeof camera->shift);
+    camera->wall = aim->wall;
+    if (eye[0] == 0 && eye[1] == 0 && eye[2] == 0) return 0;
+    return sph_camera_move_eye(camera, eye[0], eye[1], eye[2], where, err);
 }

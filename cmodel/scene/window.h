@@ -33,4 +33,13 @@ int sph_wall_rows(const struct sph_camera *camera);
 int sph_camera_move_eye(struct sph_camera *camera, double right, double up, double back,
                         const char *where, struct sph_error *err);
 
+/* What a user changes of a scene's camera; all zero: nothing. */
+struct sph_aim {
+    int shifted;             /* shift counts */
+    double shift[2], eye[3]; /* as of sph_camera; right, up, back of sph_camera_move_eye() */
+    struct sph_wall wall;
+};
+int sph_camera_aim(const struct sph_aim *aim, struct sph_camera *camera, const char *where,
+                   struct sph_error *err);
+
 #endif

@@ -44,12 +44,13 @@ const struct sph_fast *sph_api_fast(const sphaera_machine *machine) {
 }
 
 /* Builds; report has room for what build says. */
-static int build(const struct sph_scene *scene, struct sph_api_build *b,
+static int build(const struct sph_scene *given, struct sph_api_build *b,
                  struct sph_build_report *report, sphaera_machine *to, struct sph_error *err) {
     struct sph_profile_choice choice;
     struct sph_mip *mips = NULL;
+    struct sph_scene aimed, *scene = &aimed;
     int any = !b->o.widths, rc;
-    if (sph_api_size(scene, b, err)) return -1;
+    if (sph_api_frame(given, b, scene, err)) return -1;
     if (b->o.texture != SPH_OFF && sph_mips_load(scene, &mips, err)) return -1;
     b->o.mips = mips;
     sph_measure_trees(scene, &b->o, NULL, 0);

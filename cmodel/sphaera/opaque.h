@@ -12,6 +12,7 @@
 #include "fast/fast.h"
 #include "machine/machine.h"
 #include "scene/scene.h"
+#include "scene/window.h"
 #include "sphaera/sphaera.h"
 #include "trial/choose.h"
 
@@ -73,6 +74,7 @@ struct sph_api_build {
     struct sph_build_options o;
     struct sph_profile widths;    /* where o.widths points to, if a profile is named */
     struct sph_error_bound bound; /* of "auto" */
+    struct sph_aim aim;           /* of the scene's camera */
     int met, samples;
     struct sph_api_told told;
     struct sph_progress progress; /* where o.progress points to */
@@ -82,8 +84,10 @@ struct sph_api_build {
 int sph_api_options(const sphaera_build_options *from, struct sph_api_build *to,
                     struct sph_error *err);
 
-/* The size of the frame: what was asked for, or the scene's, times the samples. 0, or -1. */
-int sph_api_size(const struct sph_scene *scene, struct sph_api_build *b, struct sph_error *err);
+/* The scene as its camera is to see it: *to has all of the scene's memory, which stays the scene's.
+ * Sets the size of the frame: what was asked for, or the scene's, times the samples. 0, or -1. */
+int sph_api_frame(const struct sph_scene *scene, struct sph_api_build *b, struct sph_scene *to,
+                  struct sph_error *err);
 
 /* A new machine, empty, that one holds; NULL with a message if memory is out. */
 sphaera_machine *sph_api_machine(struct sph_error *err);

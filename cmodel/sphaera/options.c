@@ -6,6 +6,7 @@
 
 #include "builder/background/background.h"
 #include "builder/background/spans.h"
+#include "common/number.h"
 #include "sphaera/opaque.h"
 #include "texture/lookup.h"
 
@@ -76,9 +77,10 @@ static int accel(const sphaera_build_options *from, struct sph_build_options *o,
                  struct sph_error *err) {
     static const char *const accels[] = {"auto", "bvh4", "bih", "brute", "box4", NULL};
     static const int kinds[] = {SPH_TREE_AUTO, 0, SPH_TREE_BIH, SPH_TREE_BRUTE, SPH_TREE_BOX4};
-    static const char *const trees[] = {"paper", "balanced", "reinserted", "paper-grown", NULL};
+    static const char *const trees[] = {"paper",       "balanced", "reinserted",
+                                        "paper-grown", "hw",       NULL};
     static const int numbers[] = {SPH_TREE_PAPER, SPH_TREE_BALANCED, SPH_TREE_REINSERTED,
-                                  SPH_TREE_PAPER};
+                                  SPH_TREE_PAPER, SPH_TREE_HW};
     static const char *const ways[] = {"full", "listing", NULL};
     static const char *const axes[] = {"auto", "camera", "scene", NULL};
     enum { AUTO, BVH4, BIH, REINSERTED = 2, GROWN = 3 };
@@ -172,6 +174,27 @@ static int profile(const sphaera_build_options *from, struct sph_api_build *to,
     return sph_profile_parse(from->profile, &to->widths, err);
 }
 
+/* Where the camera looks from, and which part of the picture it draws. */
+static int aim(const sphaera_build_options *from, struct sph_aim *to, struct sph_error *err) {
+    const int *wall = from->wall;
+    *to = (struct sph_aim){.shifted = from->shifted,
+                           .shift = {from->shift[0], from->shift[1]},
+                           .eye = {from->eye[0], from->eye[1], from->eye[2]},
+                           .wall = {wall[0], wall[1], wall[2], wall[3]}};
+    if (sph_api_whole("shifted", from->shifted, 0, 1, err)) return -1;
+    for (int i = 0; i < 2; i++)
+        if (sph_api_real("shift", from->shift[i], -SPH_SHIFT_MAX, SPH_SHIFT_MAX, err)) return -1;
+    for (int i = 0; i < 3; i++)
+        if (sph_api_real("eye", from->eye[i], -SPH_NUMBER_MAX, SPH_NUMBER_MAX, err)) return -1;
+    for (int i = 0; i < 2; i++) {
+        int none = !wall[0] && !wall[1];
+        if (sph_api_whole("wall", wall[i], none ? 0 : 1, SPH_MAX_SIDE, err) ||
+            sph_api_whole("wall", wall[2 + i], 0, none ? 0 : wall[i] - 1, err))
+            return -1;
+    }
+    return 0;
+}
+
 int sph_api_options(const sphaera_build_options *from, struct sph_api_build *to,
                     struct sph_error *err) {
     sphaera_build_options defaults;
@@ -182,7 +205,8 @@ int sph_api_options(const sphaera_build_options *from, struct sph_api_build *to,
         return sph_fail(err, "build options: not those of sphaera_build_init()");
     if (!from->profile) return sph_fail(err, "profile is NULL");
     if (accel(from, &to->o, err) || sizes(from, to, err) || effects(from, &to->o, err) ||
-        background(from, &to->o, err) || words(from, to, err) || profile(from, to, err))
+        background(from, &to->o, err) || words(from, to, err) || profile(from, to, err) ||
+        aim(from, &to->aim, err))
         return -1;
     const char *why = sph_build_contradiction(&to->o);
     if (why) return sph_fail(err, "%s", why);
@@ -193,7 +217,10 @@ int sph_api_options(const sphaera_build_options *from, struct sph_api_build *to,
     return 0;
 }
 
-int sph_api_size(const struct sph_scene *scene, struct sph_api_build *b, struct sph_error *err) {
+int sph_api_frame(const struct sph_scene *scene, struct sph_api_build *b, struct sph_scene *to,
+                  struct sph_error *err) {
+    *to = *scene;
+    if (sph_camera_aim(&b->aim, &to->camera, scene->path, err)) return -1;
     int width = b->o.width ? b->o.width : scene->camera.width;
     int height = b->o.height ? b->o.height : scene->camera.height, n = b->samples;
     if (n == 1) return 0;

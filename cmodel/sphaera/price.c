@@ -29,6 +29,7 @@ int sphaera_price_measure(const sphaera_scene *scene, const sphaera_build_option
     SPH_API_ENVIRONMENT;
     struct sph_error err = {""};
     struct sph_api_build b;
+    struct sph_scene aimed;
     *price = NULL;
     if (!(keep_pixels >= 0 && keep_psnr >= 0)) {
         sph_fail(&err, "to keep %g pixels and %g dB: these are 0 or more", keep_pixels, keep_psnr);
@@ -40,10 +41,10 @@ int sphaera_price_measure(const sphaera_scene *scene, const sphaera_build_option
                                     .most = most};
     sphaera_price *made = calloc(1, sizeof *made);
     int rc = made ? sph_api_options(options, &b, &err) : sph_fail(&err, "no memory for a table");
-    if (!rc) rc = sph_api_size(&scene->scene, &b, &err);
+    if (!rc) rc = sph_api_frame(&scene->scene, &b, &aimed, &err);
     if (!rc) {
         how.only = b.o.widths;
-        rc = measure(&scene->scene, &b.o, &how, &made->price, &err);
+        rc = measure(&aimed, &b.o, &how, &made->price, &err);
     }
     if (!rc) {
         *price = made;

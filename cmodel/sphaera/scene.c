@@ -131,11 +131,14 @@ static int make_arrays(const sphaera_arrays *a, struct sph_scene *scene, struct 
                   {"spheres", a->n_spheres, a->spheres},
                   {"triangles", a->n_triangles, a->triangles},
                   {"planes", a->n_planes, a->planes},
-                  {"lights", a->n_lights, a->lights}};
+                  {"lights", a->n_lights, a->lights},
+                  {"st", a->triangle_textures ? a->n_triangles : 0, a->st}};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++)
         if (arrays[i].n && !arrays[i].rows)
             return sph_fail(err, "%s is NULL, n_%s is %u", arrays[i].name, arrays[i].name,
                             arrays[i].n);
+    if (a->n_textures && !a->textures)
+        return sph_fail(err, "textures is NULL, n_textures is %u", a->n_textures);
     if (!a->name) return sph_fail(err, "name is NULL");
     struct sph_arrays to = {.name = a->name,
                             .camera = {.from = vec(a->from),
@@ -160,7 +163,12 @@ static int make_arrays(const sphaera_arrays *a, struct sph_scene *scene, struct 
                             .colours = a->light_colours,
                             .sphere_materials = a->sphere_materials,
                             .triangle_materials = a->triangle_materials,
-                            .plane_materials = a->plane_materials};
+                            .plane_materials = a->plane_materials,
+                            .n_textures = a->n_textures,
+                            .textures = a->textures,
+                            .sphere_textures = a->sphere_textures,
+                            .triangle_textures = a->triangle_textures,
+                            .st = a->st};
     memcpy(to.background, a->background, sizeof to.background);
     memcpy(to.ambient, a->ambient, sizeof to.ambient);
     return sph_scene_of_arrays(&to, scene, err);

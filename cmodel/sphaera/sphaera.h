@@ -106,6 +106,12 @@ typedef struct sphaera_arrays {
     const uint32_t *plane_materials;    /* [n] */
     const double *lights;               /* [n][3]: where; at most 8 */
     const double *light_colours;        /* [n][3], 0 or more; NULL: 1 / sqrt(n) */
+    uint32_t n_textures;
+    const char *const *textures;       /* [n]: files of images, which repeat */
+    const uint32_t *sphere_textures;   /* [n]: rows of textures, SPHAERA_NONE: none; NULL: none */
+    const uint32_t *triangle_textures; /* [n] likewise */
+    const double *st;                  /* [n][3][2]: s, t of the triangles' corners, 0..1 across
+                                          the image and up; of those with a texture */
 } sphaera_arrays;
 
 /* No primitives, one white material, a camera at (0, 0, 1) that looks at 0, 320x180 pixels. */
@@ -158,7 +164,7 @@ typedef struct sphaera_build_options {
     double
         error_pixels;   /* "auto" keeps: what the eye sees is off by at most, 1e-9..1e9; 0: 0.125 */
     double error_psnr;  /* and dB of the picture, up to 99; 0: 45 */
-    const char *tree;   /* of bvh4: "reinserted", "balanced", "paper", "paper-grown" */
+    const char *tree;   /* of bvh4: "reinserted", "balanced", "paper", "paper-grown", "hw" */
     const char *axes;   /* of the grid: "auto", "camera", "scene" */
     const char *bih;    /* "full", "listing" */
     uint32_t max_prims; /* bih: a leaf of no more is not cut; 0: 4; SPHAERA_INFINITY */
@@ -175,6 +181,10 @@ typedef struct sphaera_build_options {
     double least_weight;       /* rays of less than this share of a pixel end, 0..1 */
     int samples;               /* N x N rays a pixel, 1..16: the frame has N times the sides, and
                                   pictures of it the mean of its light */
+    int shifted;               /* 1: `shift` takes the place of the scene's, as --shift */
+    double shift[2];           /* of the picture's middle to the right and up, in its heights */
+    double eye[3];             /* the eye moves to the right, up and back, as --eye-shift */
+    int wall[4];               /* columns, rows; column, row of this frame, as --wall; 0, 0: none */
     sphaera_progress progress; /* NULL: nobody is told */
     void *user;
 } sphaera_build_options;

@@ -13,29 +13,40 @@
 static const char command[] = "lab/sweep/command.py"; /* what a checkout has */
 
 /* For --help alone: lab/sweep takes the words as they are, and knows what axes there are. */
+enum {
+    KEY_MEASURE = 256,
+    KEY_SHOW,
+    KEY_X,
+    KEY_LINES,
+    KEY_PANEL,
+    KEY_HEAT,
+    KEY_BESIDE,
+    KEY_OUT,
+    KEY_JOBS,
+    KEY_ENGINE,
+    KEY_LIST,
+    KEY_AXES
+};
+
 static const struct argp_option options[] = {
-    {"AXIS", 'A', "VALUE...", OPTION_ARG_OPTIONAL,
-     "the values of an axis; N..M are numbers. --axes lists the axes: scene, size, profile, its "
-     "widths, tree, accel, background, pipes, engines, sizes of the core, memory, latency ...",
-     0},
-    {"measure", 'm', "NAME...", 0,
+    {"measure", KEY_MEASURE, "NAME...", 0,
      "counts (default: the model), accuracy (model and double reference), price (of `sphaera "
      "price`), cycles (the core in Verilator, each pixel held against the model), cells (Yosys)",
      0},
-    {"show", 's', "FIGURE...", 0, "columns that are printed and drawn; sweep.csv has all", 0},
-    {"x", 'x', "AXIS", 0, "of the plots; a panel for each value of the other axes", 0},
-    {"lines", 'l', "AXIS", 0, "of which each value has a line", 0},
-    {"panel", 'p', "AXIS...", 0, "of which each value has a panel", 0},
-    {"heat", 'h', "X", 0, "and Y, axes of heat maps beside each other, instead of lines", 0},
-    {"beside", 'b', "FILE", 0,
+    {"show", KEY_SHOW, "FIGURE...", 0, "columns that are printed and drawn; sweep.csv has all", 0},
+    {"x", KEY_X, "AXIS", 0, "of the plots; a panel for each value of the other axes", 0},
+    {"lines", KEY_LINES, "AXIS", 0, "of which each value has a line", 0},
+    {"panel", KEY_PANEL, "AXIS...", 0, "of which each value has a panel", 0},
+    {"heat", KEY_HEAT, "X", 0, "and Y, axes of heat maps beside each other, instead of lines", 0},
+    {"beside", KEY_BESIDE, "FILE", 0,
      "a CSV whose figures stand beside: of a paper, or the sweep.csv of another sweep. Its columns "
      "are axes, which tell its rows apart, and figures",
      0},
-    {"out", 'o', "FOLDER", 0, "build/sweep/DIGEST, of what the sweep is", 0},
-    {"jobs", 'j', "N", 0, "that run at once (all processors)", 0},
-    {"engine", 'e', "NAME", 0, "make (default), or slurm: on a cluster", 0},
-    {"list", 'L', NULL, 0, "how many points and jobs there are; runs nothing", 0},
-    {"axes", 'a', NULL, 0, "axes, with their values and what they shape", 0},
+    {"out", KEY_OUT, "FOLDER", 0, "build/sweep/DIGEST, of what the sweep is", 0},
+    {"jobs", KEY_JOBS, "N", 0, "that run at once (all processors)", 0},
+    {"engine", KEY_ENGINE, "NAME", 0, "make (default), or slurm: on a cluster", 0},
+    {"list", KEY_LIST, NULL, 0, "how many points and jobs there are; runs nothing", 0},
+    {"axes", KEY_AXES, NULL, 0, "axes, with their values and what they shape", 0},
     {0},
 };
 
@@ -66,8 +77,10 @@ int tool_sweep(int argc, char **argv) {
     static const struct argp argp = {
         options,
         parse,
-        "[FILE]",
+        "[FILE] [--AXIS VALUE...]...",
         "Measures every value of some axes with every other.\v"
+        "N..M are numbers, each. --axes lists the axes: scene, size, profile and its widths, tree, "
+        "accel, background, pipes, engines, sizes of the core, memory, latency ...\n\n"
         "Prints a table and leaves sweep.csv, with a row a point, and a plot of each figure shown. "
         "Results are kept by everything that shapes them, versions of tools among it, and are not "
         "measured again; a sweep that is broken off goes on from there. FILE has the same words, a "
@@ -79,7 +92,9 @@ int tool_sweep(int argc, char **argv) {
         NULL,
         NULL};
     static char python[] = "python3", module[] = "-m", lab[] = "lab", sweep[] = "sweep";
+    static char self[] = "sphaera sweep";
     char here[PATH_MAX], own[PATH_MAX], root[PATH_MAX];
+    argv[0] = self;
     for (int i = 1; i < argc; i++)
         if (!strcmp(argv[i], "--help") || !strcmp(argv[i], "-?") || !strcmp(argv[i], "--usage")) {
             argv[1] = argv[i];

@@ -34,15 +34,6 @@ int tool_wants_machine(const char *path, struct sph_error *err) {
     return sph_fail(err, "%s: is no machine file; `sphaera build` makes one of a scene", path);
 }
 
-int tool_aim(const struct tool_aim *aim, struct sph_scene *scene, struct sph_error *err) {
-    struct sph_camera *camera = &scene->camera;
-    const double *eye = aim->eye;
-    int moved = eye[0] != 0 || eye[1] != 0 || eye[2] != 0;
-    if (aim->shifted) memcpy(camera->shift, aim->shift, sizeof camera->shift);
-    camera->wall = aim->wall;
-    return moved ? sph_camera_move_eye(camera, eye[0], eye[1], eye[2], scene->path, err) : 0;
-}
-
 int tool_scene_read(const char *path, const struct tool_source *source, struct sph_scene *scene,
                     struct sph_error *err) {
     if (source->read.timed && !sph_aff_is(path))
@@ -51,7 +42,7 @@ int tool_scene_read(const char *path, const struct tool_source *source, struct s
         return -1;
     int still = !scene->aff && !scene->n_motions && !scene->n_flights && source->read.at;
     if (!still && !tool_spares_images(&source->outputs, scene, err) &&
-        !tool_aim(&source->aim, scene, err))
+        !sph_camera_aim(&source->aim, &scene->camera, scene->path, err))
         return 0;
     sph_scene_free(scene);
     return still ? sph_fail(err, "%s: --at %u: nothing in the scene moves", path, source->read.at)

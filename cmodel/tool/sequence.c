@@ -115,7 +115,7 @@ struct run {
     struct sph_kept_tree kept;
     struct sph_census met; /* by the rays of all frames */
     struct sph_build_options options;
-    const struct tool_aim *aim;
+    const struct sph_aim *aim;
     char profile_why[640]; /* empty if the profile was asked for */
 };
 
@@ -123,7 +123,7 @@ struct run {
 static int frame_of(const struct run *run, uint32_t frame, struct sph_scene *moved,
                     struct sph_error *err) {
     if (sph_scene_at(&run->rest, frame, moved, err)) return -1;
-    if (!tool_aim(run->aim, moved, err)) return 0;
+    if (!sph_camera_aim(run->aim, &moved->camera, moved->path, err)) return 0;
     sph_scene_at_free(moved);
     return -1;
 }
@@ -218,7 +218,7 @@ int tool_each_frame(const char *path, const struct tool_source *source,
     if (tool_is_machine(path))
         return sph_fail(err, "%s: --frames is for scenes, this is a machine file", path);
     from.read.progress = &reading;
-    from.aim = (struct tool_aim){0}; /* of each frame, where the camera is then */
+    from.aim = (struct sph_aim){0}; /* of each frame, where the camera is then */
     int bad = tool_scene_read(path, &from, &run.rest, err);
     progress_end(&line);
     if (bad) return -1;

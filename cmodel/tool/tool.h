@@ -13,6 +13,7 @@
 #include "common/error.h"
 #include "machine/machine.h"
 #include "scene/scene.h"
+#include "scene/window.h"
 #include "tool/outputs.h"
 
 enum { TOOL_GOOD = 0, TOOL_FAILED = 1, TOOL_USAGE = 2 };
@@ -78,17 +79,10 @@ enum { TOOL_AUTO, TOOL_BVH4, TOOL_BIH, TOOL_BRUTE, TOOL_BOX4 };
 
 enum { TOOL_EFFECTS_ALL, TOOL_EFFECTS_MET }; /* that the scene names; that rays of the frame meet */
 
-/* What options change of a scene's camera. */
-struct tool_aim {
-    int shifted; /* shift counts */
-    double shift[2], eye[3];
-    struct sph_wall wall;
-};
-
 struct tool_source {
     struct sph_build_options build;
     struct sph_read_options read;
-    struct tool_aim aim;
+    struct sph_aim aim;           /* of the scene's camera */
     struct sph_profile profile;   /* what build.widths points to, if --profile was given */
     int profile_auto;             /* the scene's own */
     struct sph_error_bound bound; /* what its profile must not miss */
@@ -137,9 +131,6 @@ int tool_wants_machine(const char *path, struct sph_error *err);
  * message if that is too large. */
 int tool_frame_size(const struct tool_source *source, const struct sph_scene *scene,
                     struct sph_build_options *build, struct sph_error *err);
-
-/* Changes a camera by options. -1 with a message. */
-int tool_aim(const struct tool_aim *aim, struct sph_scene *scene, struct sph_error *err);
 
 /* Reads the scene file at path, and aims its camera, unless an output would overwrite it or an
  * image of it. 0, or -1 with a message and nothing to free. */

@@ -11,6 +11,7 @@
 #include "trace/bih.h"
 #include "trace/leaf_unit.h"
 #include "trace/filter.h"
+#include "trace/order.h"
 #include "trace/setup.h"
 
 /* ---- visit ---- */
@@ -59,7 +60,7 @@ int sph_visit(const struct sph_machine *m, const struct sph_ray *ray, const stru
         int32_t near;
         if (!meets(ray, bih ? axes : NULL, line, (int)i, depth_max, &near)) continue;
         if (i < n_inner)
-            insert(&found->inner, i, sph_ray_any(ray) ? INT16_MIN : near);
+            insert(&found->inner, i, sph_child_depth(sph_ray_any(ray), near, (int)i));
         else
             found->leaves |= 1u << (i - n_inner);
     }

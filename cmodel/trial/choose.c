@@ -46,6 +46,10 @@ static int measure(const struct sph_scene *scene, const struct sph_build_options
         struct sph_known_picture *of = &choice->of[p];
         int last = p == SPH_PROFILES - 1;
         if (!of->expected.fits || (!last && of->expected.pixels > bound->pixels)) continue;
+        if (sph_progress_at(&judge.quiet, 0)) {
+            sph_judge_end(&judge);
+            return sph_fail(err, "%s: cancelled", scene->path);
+        }
         of->measured = sph_judge_widths(&judge, &sph_profiles[p], last ? 0 : bound->psnr);
         kept = of->measured.pixels && sph_picture_keeps(of, bound);
     }
@@ -86,6 +90,8 @@ static int cost_of(const struct sph_scene *scene, const struct sph_build_options
     struct sph_machine m;
     struct sph_error err;
     char core[256];
+    struct sph_progress quiet = sph_progress_part(o->progress, 0, 0);
+    mine.progress = &quiet;
     mine.tree = tree;
     mine.numbers = NULL;
     if (sph_build(scene, &mine, &m, &report, &err)) return -1;

@@ -37,7 +37,8 @@ int sph_judge_begin(const struct sph_scene *scene, const struct sph_build_option
     j->options.background = SPH_BG_NONE;
     j->options.bases = NULL;
     j->options.kept = NULL;
-    j->options.progress = NULL;
+    j->quiet = sph_progress_part(o->progress, 0, 0);
+    j->options.progress = &j->quiet;
     j->options.unmet = NULL;
     j->options.numbers = NULL;
     j->options.later = 1;
@@ -106,6 +107,7 @@ struct sph_measured sph_judge_widths(const struct sph_judge *judge,
     struct job j = {y, sph_drawer_begin(&m),
                     (uint32_t)y->reference.width * (uint32_t)y->reference.height, 0, &sum};
     for (; j.part < PARTS && j.part < j.n && !found.left; j.part++) {
+        if (sph_progress_at(&judge->quiet, 0)) break;
         sph_parallel_for((j.n - 1 - j.part) / PARTS + 1, PIXELS, draw_part, &j);
         found.left = sph_squares_psnr(&sum, j.n) < enough; /* the rest of them equal */
     }

@@ -28,6 +28,8 @@ struct sph_judge {
     struct sph_build_options options;
     struct sph_yardstick yardstick;
     uint64_t decidable; /* pixels of it that doubles can tell */
+    struct sph_progress
+        quiet; /* asks who watches the build whether it goes on, and tells nothing */
 };
 
 /* Why a picture of these options cannot be judged: it is not meant to be that of the scene as it is
@@ -40,8 +42,8 @@ int sph_judge_begin(const struct sph_scene *scene, const struct sph_build_option
                     struct sph_judge *judge, struct sph_error *err);
 void sph_judge_end(struct sph_judge *judge);
 
-/* Builds and draws the picture of some widths, until it is whole or its dB are below enough. What
- * cannot be built has pixels 0. */
+/* Builds and draws the picture of some widths, until it is whole, its dB are below enough, or who
+ * watches the build has ended it. What cannot be built has pixels 0. */
 struct sph_measured sph_judge_widths(const struct sph_judge *judge,
                                      const struct sph_profile *widths, double enough);
 

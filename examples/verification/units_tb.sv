@@ -54,8 +54,8 @@ module units_tb;
     logic [XW/2-1:0] root;
     rt_isqrt #(.XW(XW)) u_isqrt (
         .clk(clk), .rst(rst), .in_valid_i(1'b1), .in_ready_o(x_ready), .in_x_i(x),
-        .out_valid_o(root_valid), .out_ready_i(1'b1), .out_root_o(root), .out_shift_o(),
-        .out_inexact_o(inexact));
+        .in_tag_i(1'b0), .out_valid_o(root_valid), .out_root_o(root), .out_shift_o(),
+        .out_inexact_o(inexact), .out_tag_o());
     always @(posedge clk) if (!rst) begin
         if (root_valid) begin
             void'(model.root(128'(x_asked), 0, 64'(root), inexact));

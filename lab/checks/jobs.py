@@ -48,5 +48,6 @@ assert store.look(results, key)[0] == {"n": 1}
 assert os.listdir(results) == [os.path.basename(store.path(results, key))], os.listdir(results)
 
 # a key is one text, whatever the order in which its words are given
-assert axes.job("cells", engines=2, effects="none") == axes.job("cells", effects="none", engines="2")
-assert len({store.path("", k) for k in (key, axes.job("cells", effects="none", root_step=1))}) == 2
+assert axes.job("cells", engines=2, effects="none") == axes.job("cells", effects="none",
+                                                                 engines="2")
+assert len({store.path("", k) for k in (key, axes.job("cells", effects="none", root_step=2))}) == 2

@@ -62,10 +62,11 @@ def verification(module, has, proved, faults, left):
 def purpose(path):
     """What the first line of a module's header says."""
     line = path.read_text(encoding="utf-8").split("\n", 1)[0]
-    return line.partition(" - ")[2].replace("|", "\\|")
+    return line.partition(" - ")[2]
 
 
-def table():
+def cells():
+    """The rows of the table, a list of cells each."""
     has, proved, budget = blocks.benches(), proofs(), alone()
     killed, left = measured("modules", "killed, %"), measured("modules", "left")
     drawn, branches = measured("modules", "faults"), measured("coverage", 3)
@@ -81,14 +82,17 @@ def table():
                      len(has[module]) if module in has else "harness" if module in SHELL else "-",
                      proved.get(module, "-"), of, branches.get(module, "-"),
                      budget.get(module, "-")])
-    return markdown.table(HEAD, rows)
+    return rows
+
+
+def table():
+    return markdown.table(HEAD, cells())
 
 
 def counts():
     """In words: how many blocks are at which stage."""
-    rows = [line.split("|")[1:-1] for line in table().splitlines()[2:]]
-    said = []
-    for column in (2, 3):
-        stages = [row[column].strip() for row in rows]
+    rows, said = cells(), []
+    for column in (HEAD.index("design"), HEAD.index("verification")):
+        stages = [row[column] for row in rows]
         said += [f"{stages.count(s)} {s}" for s in sorted(set(stages))]
     return f"{len(rows)} blocks: {', '.join(said)}"

@@ -21,6 +21,8 @@ MAPS = {  # name: title, unit, whether it is drawn by logarithm, what it says
                "{slots} slots that work at once. All parts add up to {sum} of {cycles} clocks."),
     "left": ("Order", "clocks", False, "The clock in which each pixel left: pixels start in "
              "columns of eight{walks}, and hard ones leave late."),
+    "energy": ("Energy", "nJ", True, "As standard cells of 0.18 um, estimated from events: idle "
+               "clocks by the pixel's part of the frame, all events by its visits."),
 }
 
 
@@ -31,10 +33,23 @@ def deflated(values):
     return base64.b64encode(zlib.compress(words.tobytes(), 9)).decode()
 
 
+def energy_map(run):
+    """pJ of each pixel; None of a core whose energy is not known, or without clocks of pixels."""
+    row, clocks = row_of(run, prices(run)), run.in_flight()
+    if not row or not row["energy"] or clocks is None:
+        return None
+    parts = energy_parts(run, row)
+    visits = [p.visits for p in run.model.pixels]
+    idle = 1000 * len(visits) * parts.pop("idle clock") / max(1, sum(clocks))
+    event = 1000 * len(visits) * sum(parts.values()) / max(1, sum(visits))
+    return [round(idle * clock + event * visit) for clock, visit in zip(clocks, visits)]
+
+
 def planes(run):
     """What the maps and the line below them show of each pixel."""
     found = {"visits": ([p.visits for p in run.model.pixels], 1),
-             "cycles": (run.in_flight(), run.slots()), "left": (run.left, 1)}
+             "cycles": (run.in_flight(), run.slots()), "left": (run.left, 1),
+             "energy": (energy_map(run), 1000)}
     result = []
     for name, (values, per) in found.items():
         if values is None:
@@ -160,30 +175,41 @@ def head(run):
             f'<dl class="figures">{cells}</dl>')
 
 
-def energy(run, row):
-    """nJ a pixel by part, of the row of a table of prices; its clocks are those of the run."""
-    if not row or not row["energy"]:
-        return "<p>Energy: not known of such a core; <code>make silicon</code> measures it.</p>"
+def energy_parts(run, row):
+    """{part: nJ a pixel}, of the row of a table of prices; its clocks are those of the run."""
     parts = dict(row["energy"]["parts"])
     parts["idle clock"] *= run.last["cycles_per_pixel"] / row["cycles_per_pixel"]
+    return parts
+
+
+def energy(run, row):
+    """What a pixel takes, by part."""
+    if not row or not row["energy"]:
+        return "<p>Energy: not known of such a core; <code>make silicon</code> measures it.</p>"
+    parts = energy_parts(run, row)
     return (f"<p>Energy, as standard cells of 0.18 um: ~{number(sum(parts.values()), 1)} nJ a "
             "pixel: " + ", ".join(f"{text(name)} {number(nj, 1)}" for name, nj in parts.items())
             + ". Estimated from events; <code>make silicon</code> measures it.</p>")
 
 
+def prices(run):
+    """The table of prices; None of a scene that is not built at once."""
+    name = run.folder / "price.json"
+    return json.loads(name.read_text("utf-8"))["price"] if name.exists() else None
+
+
 def row_of(run, table):
     """The row of a table of prices that is of the run's profile and core; None: there is none."""
-    return next((row for row in table["rows"] if not row["why"]
+    return next((row for row in (table["rows"] if table else []) if not row["why"]
                  and row["name"] == run.report["profile"]
                  and row["core"] == run.report.get("core")), None)
 
 
 def costs(run):
-    """What other profiles would cost; nothing of a scene that is not built at once."""
-    name = run.folder / "price.json"
-    if not name.exists():
+    """What other profiles would cost."""
+    table = prices(run)
+    if not table:
         return ""
-    table = json.loads(name.read_text("utf-8"))["price"]
     return ("<h2>What accuracy costs in time</h2>" + price.rows(table)
             + f'<p class="soft">{text(table["says"])}. Clocks by the work of the model; '
             "<code>make case</code> has more.</p>" + energy(run, row_of(run, table)))

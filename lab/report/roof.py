@@ -66,7 +66,8 @@ def drawing(roof):
                    "</text>" for a, b, w in words)
     return (f'<svg viewBox="0 0 {WIDTH} {HEIGHT}" role="img" aria-label="roofline">'
             f'<polyline points="{line}" fill="none" stroke="var(--accent)" stroke-width="2"/>'
-            f'<path d="M{LEFT},0V{HEIGHT - BELOW}H{WIDTH}{marks}" fill="none" stroke="currentColor"/>'
+            f'<path d="M{LEFT},0V{HEIGHT - BELOW}H{WIDTH}{marks}" fill="none" '
+            'stroke="currentColor"/>'
             f'<circle cx="{dot[0]}" cy="{dot[1]}" r="6" fill="var(--bad)"/>{said}</svg>')
 
 

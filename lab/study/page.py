@@ -18,8 +18,9 @@ def strips(tool, build, pictures):
     """reference | model | difference, one picture a profile."""
     for profile in points.PROFILES:
         out = os.path.join(pictures, f"strip_{profile}.png")
-        subprocess.run([tool, "accuracy", measures.scene_file(tool, build, STRIP), "--profile", profile,
-                        "--size", STRIP_SIZE, "-d", out], check=True,
+        scene = measures.scene_file(tool, build, STRIP)
+        subprocess.run([tool, "accuracy", scene, "--profile", profile, "--size", STRIP_SIZE, "-d",
+                        out], check=True,
                        stdout=subprocess.DEVNULL)
 
 

@@ -17,7 +17,7 @@ KNOBS = {
               "standard:w=20,wd=21,pq=24", "fine:pr=16"],
 }
 # rate knobs: the picture is the same
-RATES = [{}, {"engines": 2}, {"root_step": 1}, {"root_step": 4}, {"quotient_step": 1},
+RATES = [{}, {"engines": 2}, {"root_step": 2}, {"root_step": 4}, {"quotient_step": 1},
          {"quotient_step": 4}]
 # beside the profiles these cores are simulated and synthesised; the others are pictures alone
 KNOB_CORES = ["standard:pr=12", "standard:w=18,wd=19,pq=20,pr=14", "standard:pq=13",

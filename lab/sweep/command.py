@@ -1,7 +1,7 @@
 # command.py - `sphaera sweep`: every value of some axes with every other, as tables and plots
 # SPDX-License-Identifier: Apache-2.0
-"""usage: sphaera sweep [FILE] [--AXIS VALUE...]... [OPTION...]; `sphaera sweep --help` has the options
-       BUILD=folder python3 -m lab sweep ... is the same
+"""usage: sphaera sweep [FILE] [--AXIS VALUE...]... [OPTION...]
+       BUILD=folder python3 -m lab sweep ... is the same; `sphaera sweep --help` has the options
 
 Measures every point and writes, into a folder, sweep.csv, a row a point, and a plot of each figure
 shown. FILE: spec.py. Names of files are from the folder FROM of the environment, which is where the

@@ -103,7 +103,8 @@ def multiples(out, spec, made, figure):
                              f'"{COLOURS[i % len(COLOURS)]}" title "{label}"')
         if parts:
             key = "set key top right\n" if p == 0 else "unset key\n"
-            plots.append(f'{blocks}{key}set title "{quoted(name)}"\nplot ' + ", ".join(parts) + "\n")
+            plots.append(f'{blocks}{key}set title "{quoted(name)}"\n'
+                         f'plot {", ".join(parts)}\n')
     draw(out, figure, plots, more)
     return True
 
@@ -121,7 +122,8 @@ def heat(out, spec, made, figure):
     more += f'set xlabel "{x}"\nset ylabel "{y}"\n'
     more += f"set cbrange [{low:.9g}:{high if high > low else low + 1:.9g}]\n"
     more += 'set palette defined (0 "#f7fbff", 0.5 "#6baed6", 1 "#08306b")\n'
-    more += "".join(f"set {n}range [-0.5:{len(places[a]) - 0.5}]\n" for n, a in (("x", x), ("y", y)))
+    more += "".join(f"set {n}range [-0.5:{len(places[a]) - 0.5}]\n"
+                    for n, a in (("x", x), ("y", y)))
     plots = []
     for p, (name, mine) in enumerate(panels(spec, {x, y})):
         for kind in kinds:

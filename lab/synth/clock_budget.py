@@ -6,7 +6,6 @@ BUILD/clock-budget/MODULE. Exits with 1 if a block is slower than its budget. ne
 of the PATH or the one of `make study-pnr`, which is installed where it is not there."""
 import json
 import os
-import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -63,8 +62,7 @@ def main(build, budget):
     if strange:
         sys.exit(f"clock-budget: not in {budget}: {' '.join(sorted(strange))}; these are: "
                  f"{' '.join(block.module for block in blocks)}")
-    if not shutil.which("nextpnr-ecp5"):
-        experiment.install(build)
+    experiment.there(build)
     bad = 0
     for block in blocks:
         if asked and block.module not in asked:

@@ -94,7 +94,7 @@ def too_much(run):
     return f"{name}: {', '.join(over)}" if over else ""
 
 
-def key(profile, cores, target="ecp5", engines="1", root="2", quotient="2"):
+def key(profile, cores, target="ecp5", engines="1", root="1", quotient="2"):
     """The name of a synthesised core, as sim/cores.py has it."""
     ran = subprocess.run(["sim/cores.py", "key", profile, cores, target], check=False,
                          stdout=subprocess.PIPE, text=True, env=dict(

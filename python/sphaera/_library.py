@@ -50,20 +50,22 @@ def until_interrupted(work: Callable[[Any], Any]) -> Any:
         return work(stop)
     done: list[Any] = []
     failed: list[BaseException] = []
+    ended = threading.Event()  # join() that was interrupted takes a thread for ended
 
     def run() -> None:
         try:
             done.append(work(stop))
         except BaseException as e:  # pylint: disable=broad-exception-caught
             failed.append(e)
+        finally:
+            ended.set()
 
-    thread = threading.Thread(target=run)
-    thread.start()
+    threading.Thread(target=run).start()
     try:
-        thread.join()
+        ended.wait()
     except BaseException:
         stop[0] = 1
-        thread.join()
+        ended.wait()
         raise
     if failed:
         raise failed[0]

@@ -11,18 +11,15 @@ Progress = Callable[[int, int], object]  # done, all; what is true cancels the c
 
 
 class Told:
-    """Calls a Python function as a sphaera_progress. What it raises cancels the call and is raised
-    again behind it, by raise_again()."""
+    """Calls a Python function, if there is one, as a sphaera_progress, which also cancels when
+    stop[0] is not 0. What the function raises cancels the call and is raised again behind it."""
 
-    def __init__(self, function: Optional[Progress]) -> None:
+    def __init__(self, function: Optional[Progress], stop: Any) -> None:
         self.raised: Optional[BaseException] = None
-        self.pointer = ffi.NULL
-        if function is None:
-            return
 
         def told(_user: Any, done: int, all_: int) -> int:
             try:
-                return bool(function(done, all_))
+                return bool(stop[0] or function and function(done, all_))
             except BaseException as e:  # pylint: disable=broad-exception-caught
                 self.raised = e
                 return 1
@@ -58,6 +55,8 @@ def filled(kind: str, init: Any, words: Dict[str, Any]) -> Tuple[Any, List[Any]]
 
 def build_options(words: Dict[str, Any]) -> Tuple[Any, List[Any]]:
     """Of Scene.build() and Scene.price(); max_prims and max_tree_depth may be infinite."""
+    if "shift" in words:
+        words = {**words, "shifted": words["shift"] is not None}
     for name in ("max_prims", "max_tree_depth"):
         if words.get(name) == float("inf"):
             words = {**words, name: lib.SPHAERA_INFINITY}

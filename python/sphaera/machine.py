@@ -154,7 +154,7 @@ class Machine:
         Ctrl-C ends it at once. Error: another number of threads, another word, no memory, or
         "cancelled"."""
         def work(stop: Any) -> Any:
-            with Told(progress) as told:
+            with Told(progress, stop) as told:
                 options, kept = filled("sphaera_render_options", lib.sphaera_render_init, dict(
                     threads=threads, traverse=traverse, progress=told.pointer, stop=stop))
                 pointer = made(lib.sphaera_render_with, lib.sphaera_frame_free, "sphaera_frame",

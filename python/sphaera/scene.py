@@ -4,7 +4,8 @@ from typing import Any, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
-from ._library import PathLike, Record, c_text, call, ffi, lib, made, records
+from ._library import (PathLike, Record, c_text, call, ffi, lib, made, records,
+                       until_interrupted)
 from ._options import Progress, Switch, Told, build_options, filled
 from .machine import Machine
 from .price import Price, price_of
@@ -55,18 +56,23 @@ class Scene:
                        background, bg_points, bg_border, bg_levels
                        traverse, filter, lod, lod_bits, least_weight
                        samples: N x N rays a pixel; the frame has N times the sides
+                       shift: (right, up), in place of the scene's, as of scene_of()
+                       eye: (right, up, back), by which the eye moves before a screen that stays
+                       wall: (columns, rows, column, row) of a frame that is part of a picture
 
         Error: a word or number that is none of these, an image that cannot be read, a scene that
         the profile has no room for, or "cancelled". TypeError: a keyword that is none of these."""
-        with Told(progress) as told:
-            options, kept = build_options(dict(
-                profile=profile, accel=accel, width=width, height=height, depth=depth,
-                shadow=shadow, reflect=reflect, refract=refract, specular=specular,
-                texture=texture, progress=told.pointer, **more))
-            machine = made(lib.sphaera_build, lib.sphaera_machine_free, "sphaera_machine",
-                           self._pointer, options)
-            del kept
-        return Machine(machine)
+        def work(stop: Any) -> Any:
+            with Told(progress, stop) as told:
+                options, kept = build_options(dict(
+                    profile=profile, accel=accel, width=width, height=height, depth=depth,
+                    shadow=shadow, reflect=reflect, refract=refract, specular=specular,
+                    texture=texture, progress=told.pointer, **more))
+                machine = made(lib.sphaera_build, lib.sphaera_machine_free, "sphaera_machine",
+                               self._pointer, options)
+                del kept
+            return machine
+        return Machine(until_interrupted(work))
 
     def price(self, *, keep_pixels: float = 0, keep_psnr: float = 0, most: int = 0,
               **build: Any) -> Price:
@@ -104,15 +110,17 @@ def read(path: PathLike, at: int = 0, strict: bool = False, *, time: Optional[fl
     progress          called with done, all; what it returns, if true, cancels
 
     Error: no such file, or what the file says is no scene, with file, line and field."""
-    with Told(progress) as told:
-        options, kept = filled("sphaera_read_options", lib.sphaera_read_init, dict(
-            at=at, strict=strict, timed=time is not None, time=time, round=round,
-            skip_unsupported=skip_unsupported, camera=camera, radius=radius,
-            up=up.encode() if up else None, progress=told.pointer))
-        scene = Scene(made(lib.sphaera_scene_read_with, lib.sphaera_scene_free, "sphaera_scene",
-                           c_text(path), options))
-        del kept
-    return scene
+    def work(stop: Any) -> Any:
+        with Told(progress, stop) as told:
+            options, kept = filled("sphaera_read_options", lib.sphaera_read_init, dict(
+                at=at, strict=strict, timed=time is not None, time=time, round=round,
+                skip_unsupported=skip_unsupported, camera=camera, radius=radius,
+                up=up.encode() if up else None, progress=told.pointer))
+            scene = made(lib.sphaera_scene_read_with, lib.sphaera_scene_free, "sphaera_scene",
+                         c_text(path), options)
+            del kept
+        return scene
+    return Scene(until_interrupted(work))
 
 
 def parse(text: Union[str, bytes], name: PathLike = "memory.nff", at: int = 0) -> Scene:
@@ -134,7 +142,8 @@ def rows(name: str, given: Any, shape: Tuple[int, ...], dtype: Any = np.float64)
 
 
 def numbers(name: str, given: Any, n: int) -> Any:
-    """Numbers of materials, [n]; ValueError, by name, if there are not so many or one is < 0."""
+    """Numbers of materials or textures, [n]; ValueError, by name, if there are not so many or one
+    is < 0."""
     array = np.asarray(given)
     if array.shape != (n,):
         raise ValueError(f"{name} has shape {array.shape}, not {(n,)}")
@@ -146,8 +155,10 @@ def numbers(name: str, given: Any, n: int) -> Any:
 def scene_of(*, spheres: Any = (), triangles: Any = (), planes: Any = (), materials: Any = None,
              sphere_materials: Any = None, triangle_materials: Any = None,
              plane_materials: Any = None, normals: Any = None, lights: Any = (),
-             light_colours: Any = None, eye: Sequence[float] = (0, 0, 1),
-             at: Sequence[float] = (0, 0, 0), up: Sequence[float] = (0, 1, 0), angle: float = 45,
+             light_colours: Any = None, textures: Sequence[PathLike] = (),
+             sphere_textures: Any = None, triangle_textures: Any = None, st: Any = None,
+             eye: Sequence[float] = (0, 0, 1), at: Sequence[float] = (0, 0, 0),
+             up: Sequence[float] = (0, 1, 0), angle: float = 45,
              shift: Sequence[float] = (0, 0), width: int = 320, height: int = 180,
              background: Sequence[float] = (0, 0, 0), ambient: Sequence[float] = (0, 0, 0),
              name: str = "arrays") -> Scene:
@@ -157,6 +168,9 @@ def scene_of(*, spheres: Any = (), triangles: Any = (), planes: Any = (), materi
     planes     [n, 6]: a point, the normal     normals    [n, 3, 3] of the triangles' corners
     materials  [n, 8]: red green blue Kd Ks Shine T index, `f` of NFF; None: one, white
     ..._materials   [n]: rows of materials; None: the first
+    textures   files of images, which repeat
+    ..._textures    [n]: rows of textures, sphaera.NONE: none
+    st         [n, 3, 2]: s, t of the triangles' corners, 0 to 1 across the image and up
     lights     [n, 3], at most 8               light_colours  [n, 3]; None: 1 / sqrt(n)
     eye, at, up, angle   the camera; angle: vertical field of view, degrees
     shift                of the picture's middle to the right and up, in its heights, -64 to 64
@@ -170,6 +184,9 @@ def scene_of(*, spheres: Any = (), triangles: Any = (), planes: Any = (), materi
     lib.sphaera_arrays_init(arrays)
     kept = [ffi.new("char[]", c_text(name))]
     arrays.name = kept[0]
+    files = [ffi.new("char[]", c_text(file)) for file in textures]
+    kept += [*files, ffi.new("char *[]", files)]
+    arrays.n_textures, arrays.textures = len(files), ffi.cast("char **", kept[-1])
 
     def put(field: str, array: Any) -> None:
         kind = "double[]" if array.dtype == np.float64 else "uint32_t[]"
@@ -189,12 +206,15 @@ def scene_of(*, spheres: Any = (), triangles: Any = (), planes: Any = (), materi
             n[field] = put_rows(field, given, shape)
             setattr(arrays, "n_" + field, n[field])
     for field, given, of, shape in (("normals", normals, "triangles", (3, 3)),
-                                    ("light_colours", light_colours, "lights", (3,))):
+                                    ("light_colours", light_colours, "lights", (3,)),
+                                    ("st", st, "triangles", (3, 2))):
         if given is not None and put_rows(field, given, shape) != n[of]:
             raise ValueError(f"{field} are not as many as {of}")
     for field, given, of in (("sphere_materials", sphere_materials, "spheres"),
                              ("triangle_materials", triangle_materials, "triangles"),
-                             ("plane_materials", plane_materials, "planes")):
+                             ("plane_materials", plane_materials, "planes"),
+                             ("sphere_textures", sphere_textures, "spheres"),
+                             ("triangle_textures", triangle_textures, "triangles")):
         if given is not None:
             put(field, numbers(field, given, n[of]))
     for field, given in (("from", eye), ("at", at), ("up", up), ("background", background),

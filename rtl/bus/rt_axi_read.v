@@ -25,8 +25,8 @@ module rt_axi_read #(
     // to rt_run
     output wire            idle_o,           // the bus owes nothing
     output wire            stall_o,          // it owes something and does nothing
-    output wire            slverr_o,         // a beat came with this error
-    output wire            decerr_o,
+    output reg             slverr_o,         // a beat came with this error, a clock before
+    output reg             decerr_o,
     // to rt_totals
     output wire            burst_o,          // a burst was asked for
     output wire            beat_o,           // a beat came
@@ -91,8 +91,10 @@ module rt_axi_read #(
 
     assign idle_o   = !owing;
     assign stall_o  = owing && !m_rvalid && !(m_arvalid && m_arready);
-    assign slverr_o = beat && m_rresp == 2'b10;
-    assign decerr_o = beat && m_rresp == 2'b11;
+    always @(posedge clk) begin
+        slverr_o <= beat && m_rresp == 2'b10 && !rst;
+        decerr_o <= beat && m_rresp == 2'b11 && !rst;
+    end
     assign burst_o  = ask;
     assign beat_o   = beat;
     wire unused = &{1'b0, last, m_rlast};    // beats are counted

@@ -19,8 +19,8 @@ module rt_axi_write #(
     // to rt_run
     output wire              idle_o,         // nothing is on its way
     output wire              stall_o,        // something is, and the bus does nothing
-    output wire              slverr_o,       // an answer came with this error
-    output wire              decerr_o,
+    output reg               slverr_o,       // an answer came with this error, a clock before
+    output reg               decerr_o,
     // to rt_totals
     output wire              burst_o,        // a burst begins
     output wire              beat_o,         // a beat was taken
@@ -86,8 +86,10 @@ module rt_axi_write #(
     end
     assign idle_o   = owed_q == 4'd0;        // its answer comes behind a burst's last beat
     assign stall_o  = !idle_o && !m_bvalid && !w_take && !(m_awvalid && m_awready);
-    assign slverr_o = answer && m_bresp == 2'b10;
-    assign decerr_o = answer && m_bresp == 2'b11;
+    always @(posedge clk) begin
+        slverr_o <= answer && m_bresp == 2'b10 && !rst;
+        decerr_o <= answer && m_bresp == 2'b11 && !rst;
+    end
     assign burst_o  = begins;
     assign beat_o   = w_take;
 endmodule

@@ -132,7 +132,7 @@ module rt_core #(
     // facet, whose operands exceed a multiplier of 18 bits, takes its time.
     localparam FACET_CLOCKS = FACET_INTERVAL != 0 ? FACET_INTERVAL
                               : BOXES != 0 || W < 18 ? 2 : 4;
-    localparam ROOT_UNITS = ROOTS != 0 ? ROOTS : PIPES > 1 ? 6 : 3;
+    localparam ROOT_STAGES = ROOTS != 0 ? ROOTS : PIPES > 1 ? 12 : 6;
     // Beside others a pipe sees fewer neighbours; block RAM has the room in any case.
     localparam LEAF_UNIT = PIPES > 1 ? 4*LEAF_LINES : LEAF_LINES;
     localparam ALL_SLOTS = SLOTS << $clog2(PIPES);
@@ -146,7 +146,7 @@ module rt_core #(
     wire [ALL-1:0]           m_req_valid, m_req_ready, m_rsp_valid, m_rsp_ready;
     wire [LB*ALL-1:0]        m_req_line;
     wire [255:0]             m_rsp_data;
-    wire                     m_rsp_error, bad_table, table_error;
+    wire                     m_rsp_error, bad_table, table_error, m_busy;
     generate
         if (READERS < ALL) begin : g_no_tables
             assign m_req_ready[ALL-1:WALK] = {ALL_WALKS{1'b0}};
@@ -159,7 +159,7 @@ module rt_core #(
         .req_valid_i(m_req_valid[READERS-1:0]), .req_ready_o(m_req_ready[READERS-1:0]),
         .req_line_i(m_req_line[LB*READERS-1:0]),
         .rsp_valid_o(m_rsp_valid[READERS-1:0]), .rsp_ready_i(m_rsp_ready[READERS-1:0]),
-        .rsp_data_o(m_rsp_data), .rsp_error_o(m_rsp_error),
+        .rsp_data_o(m_rsp_data), .rsp_error_o(m_rsp_error), .busy_o(m_busy),
         .mem_req_valid_o(mem_req_valid_o), .mem_req_ready_i(mem_req_ready_i),
         .mem_req_line_o(mem_req_line_o), .mem_req_tag_o(mem_req_tag_o),
         .mem_rsp_valid_i(mem_rsp_valid_i), .mem_rsp_ready_o(mem_rsp_ready_o),
@@ -193,8 +193,9 @@ module rt_core #(
     wire             working = walk_busy || e_busy != 0 || mux_valid_q;
     localparam SB = $clog2(PLACES + 6);
     localparam [31:0] WAIT = PLACES + 5;
-    reg [SB-1:0]     settle_q;                       // cycles until the counters are complete
-    assign busy_o = working || settle_q != {SB{1'b0}} || start_q || start_two_q;
+    // cycles until the counters are complete: from the clock of go on, before any work begins
+    reg [SB-1:0]     settle_q;
+    assign busy_o = settle_q != {SB{1'b0}} || start_q || start_two_q;
     always @(posedge clk) begin
         if (working || go) settle_q <= WAIT[SB-1:0];
         else if (settle_q != {SB{1'b0}}) settle_q <= settle_q - 1'b1;
@@ -202,14 +203,10 @@ module rt_core #(
     end
 
     // ---- what an idle core still looks at ----
-    reg              busy_q;                         // so that a counter is shown as it stands
     reg [4:0]        count_addr_q;
-    assign active_o = rst || busy_o || busy_q || start_i || cfg_valid_i || cfg_valid_q ||
+    assign active_o = rst || busy_o || m_busy || start_i || cfg_valid_i || cfg_valid_q ||
                       count_addr_i != count_addr_q;
-    always @(posedge clk) begin
-        busy_q       <= busy_o;
-        count_addr_q <= count_addr_i;
-    end
+    always @(posedge clk) count_addr_q <= count_addr_i;
 
     // ---- engines ----
     wire [ENGINES-1:0]     p_valid, p_take;
@@ -233,7 +230,7 @@ module rt_core #(
                 .LEAF_UNITS(LEAF_COUNT), .SHADES(SHADE_UNITS), .SETUPS(SETUP_UNITS),
                 .SLOTS(ALL_SLOTS), .SQUARES(LUT_SQUARES), .LUTS(SPARE_LUTS),
                 .STACK(`RT_STACK_DEPTH), .NODE_LINES(NODE_LINES), .LEAF_LINES(LEAF_UNIT),
-                .ROOTS(ROOT_UNITS), .ROOT_STEP(ROOT_STEP), .LEAF_INTERVAL(LEAF_INTERVAL),
+                .ROOTS(ROOT_STAGES), .ROOT_STEP(ROOT_STEP), .LEAF_INTERVAL(LEAF_INTERVAL),
                 .FACET_INTERVAL(FACET_CLOCKS), .UNITS(UNITS), .UNIT_INTERVAL(UNIT_INTERVAL)
             ) u_engine (
                 .clk(clk), .rst(rst), .flush_i(go && !keep_two_q), .busy_o(e_busy[e]),
@@ -283,6 +280,19 @@ module rt_core #(
             end
             assign events[EW*e +: EW] = add_e[EW-1:0];
             assign issued[e] = issued_e;
+`ifndef SYNTHESIS
+            // what active_o relies on: formal/f_engine.v
+            reg [READS-1:0] asked_q;
+            always @(posedge clk) begin
+                asked_q <= m_req_valid[READS*e +: READS];
+                if (!rst && !e_busy[e] && (p_valid[e] || issued_e || add_e != 256'd0 ||
+                                           faults[16*e +: 16] != 16'd0 ||
+                                           (m_req_valid[READS*e +: READS] & ~asked_q) != 0)) begin
+                    $display("%m: an idle engine works");
+                    $finish;
+                end
+            end
+`endif
             wire unused_e = &{1'b0, pix, add_e, trace, exact, prim, shade};
         end
     endgenerate

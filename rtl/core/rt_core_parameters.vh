@@ -25,9 +25,9 @@
     parameter TEXTURE_WAYS = 4,  // 1..32, power of two: groups of a set of the texture cache
     parameter TEXTURE_GROUP = 1, // 1..4, power of two: lines of a group, fetched together
     parameter TEXTURE_COORDS = 2, // 1..8: units for texture coordinates an engine
-    parameter ROOTS      = 0,    // 0..8: square root units a leaf unit, 0: 6, for 1 pipe 3
+    parameter ROOTS      = 0,    // 0..16: roots of a leaf unit at once, 0: 12, for 1 pipe 6
     parameter QUOTIENTS  = 2,    // 1..8: dividers an engine
-    parameter ROOT_STEP  = 2,    // 1..W+WD: root bits a clock
+    parameter ROOT_STEP  = 1,    // 1..W+WD: root bits a clock
     parameter QUOTIENT_STEP = 2, // 1..PQ: quotient bits a clock
     parameter LEAF_INTERVAL = 2, // 2..4, power of two: clocks an exact test of a sphere
     parameter FACET_INTERVAL = 0, // 0..4, power of two: clocks a facet, 0: 2, wide without BOXES 4

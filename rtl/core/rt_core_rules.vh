@@ -64,7 +64,7 @@
     `RT_CHECK(TEXTURE_WAYS >= 1 && TEXTURE_WAYS <= 32 && (TEXTURE_WAYS & (TEXTURE_WAYS - 1)) == 0, rt_core_TEXTURE_WAYS_must_be_a_power_of_two_from_1_to_32)
     `RT_CHECK(TEXTURE_GROUP >= 1 && TEXTURE_GROUP <= 4 && (TEXTURE_GROUP & (TEXTURE_GROUP - 1)) == 0, rt_core_TEXTURE_GROUP_must_be_a_power_of_two_from_1_to_4)
     `RT_CHECK(TEXTURE_COORDS >= 1 && TEXTURE_COORDS <= 8, rt_core_TEXTURE_COORDS_must_be_1_to_8)
-    `RT_CHECK(ROOTS >= 0 && ROOTS <= 8, rt_core_ROOTS_must_be_0_to_8)
+    `RT_CHECK(ROOTS >= 0 && ROOTS <= 16, rt_core_ROOTS_must_be_0_to_16)
     `RT_CHECK(QUOTIENTS >= 1 && QUOTIENTS <= 8, rt_core_QUOTIENTS_must_be_1_to_8)
     `RT_CHECK(ROOT_STEP >= 1 && ROOT_STEP <= W+WD, rt_core_ROOT_STEP_must_be_1_to_W_plus_WD)
     `RT_CHECK(QUOTIENT_STEP >= 1 && QUOTIENT_STEP <= PQ, rt_core_QUOTIENT_STEP_must_be_1_to_PQ)

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Events gather in a small sum per counter that starts again from 0 when it is full; one sum a
 // cycle, in turn, becomes the low bits of its 48-bit total, whose high bits grow by one if the sum
-// is less than it was: compared in one clock, added and written in the next. A total is complete
-// PLACES + 2 cycles after the last event; clear_i takes as long.
+// is less than it was: compared in one clock, added and, if it is another one, written in the
+// next. A total is complete PLACES + 2 cycles after the last event; clear_i takes as long.
 // Numbers: machine.def. data_o is the total addressed one cycle before.
 `timescale 1ns / 1ps
 `default_nettype none
@@ -36,7 +36,7 @@ module rt_counters #(
             reg [SW-1:0] sum_q;
             wire         now = turn_q == c;
             always @(posedge clk) begin
-                sum_q <= sum_q + {{AB{1'b0}}, add_i[8*c +: MB]};
+                if (|add_i[8*c +: MB]) sum_q <= sum_q + {{AB{1'b0}}, add_i[8*c +: MB]};
                 if (clear_i || rst) sum_q <= {SW{1'b0}};
             end
             assign sums[SW*c +: SW] = now ? sum_q : {SW{1'b0}};
@@ -53,16 +53,16 @@ module rt_counters #(
     wire [47:0] total, shown;
     reg  [AB-1:0] total_q;          // the counter whose sum was taken a clock before
     reg  [AB-1:0] s2_at_q;          // the counter whose total is written
-    reg         s2_carry_q;
+    reg         s2_carry_q, s2_write_q;
     reg  [47:SW]  s2_high_q;
     reg  [SW-1:0] s2_sum_q;
     wire [47:0] total_next = {s2_high_q + {{(47-SW){1'b0}}, s2_carry_q}, s2_sum_q};
     rt_slot_file #(.WIDTH(48), .SLOTS(PLACES)) u_total (
-        .clk(clk), .wr_en_i(1'b1), .wr_addr_i(s2_at_q), .wr_data_i(total_next),
+        .clk(clk), .wr_en_i(s2_write_q), .wr_addr_i(s2_at_q), .wr_data_i(total_next),
         .rd_addr_i(total_q), .rd_data_o(total)
     );
     rt_slot_file #(.WIDTH(48), .SLOTS(PLACES)) u_shown (
-        .clk(clk), .wr_en_i(1'b1), .wr_addr_i(s2_at_q), .wr_data_i(total_next),
+        .clk(clk), .wr_en_i(s2_write_q), .wr_addr_i(s2_at_q), .wr_data_i(total_next),
         .rd_addr_i(addr_i[AB-1:0]), .rd_data_o(shown)
     );
     always @(posedge clk) begin
@@ -70,6 +70,7 @@ module rt_counters #(
         total_q <= turn_q;
         sum_q   <= clear_i || rst ? {SW{1'b0}} : sum;
         s2_at_q    <= total_q;
+        s2_write_q <= clearing || sum_q != total[SW-1:0];
         s2_carry_q <= !clearing && sum_q < total[SW-1:0];
         s2_high_q  <= clearing ? {(48-SW){1'b0}} : total[47:SW];
         s2_sum_q   <= sum_q;

@@ -77,7 +77,8 @@
 `define RT_TREE_BIH 3
 `define RT_TREE_BRUTE 4
 `define RT_TREE_BOX4 6
-`define RT_TREE_LAST 6
+`define RT_TREE_HW 7
+`define RT_TREE_LAST 7
 `define RT_BIH_STACK 64
 `define RT_BIH_T 22
 `define RT_BIH_V 18
@@ -87,6 +88,9 @@
 `define RT_BOX_CROSS 17
 `define RT_BOX_FINE 4
 `define RT_BOX_NEAR 11
+`define RT_BUILD_AXIS 8
+`define RT_BUILD_DIGIT 6
+`define RT_BUILD_STACK 32
 `define RT_FRAMES 3
 `define RT_SPHERE 0
 `define RT_TRIANGLE 1

@@ -145,7 +145,7 @@ module rt_slots #(
         t_slot_q  <= done_slot_i;
         d_valid_q <= t_valid_q;
         d_slot_q  <= t_slot_q;
-        d_q       <= done_i;
+        if (t_valid_q) d_q <= done_i;
         if (rst) begin t_valid_q <= 1'b0; d_valid_q <= 1'b0; end
     end
     wire [`RT_ID_BITS-1:0] d_id      = d_q[`RT_DONE_ID];
@@ -175,8 +175,7 @@ module rt_slots #(
         seen_q    <= d_valid && d_first && d_found;
         probe_q   <= d_q[`RT_DONE_FIRST] && effects[`RT_EFFECT_INTERPENETRATE];
         far_q     <= FARS != 0 && d_q[`RT_DONE_FAR];
-        id_q      <= d_id;
-        key_q     <= d_q[`RT_DONE_KEY];
+        if (d_valid_q) {id_q, key_q} <= {d_id, d_q[`RT_DONE_KEY]};
         sky_q     <= (d_on && !d_found && d_first) || (d_valid && d_end);
         end_q     <= d_end;
         outside_q <= d_valid && d_q[`RT_DONE_FOUND] && d_outside;

@@ -12,6 +12,7 @@ module rt_multiply #(
     parameter W = 35                     // operand width, bits
 ) (
     input  wire                  clk,
+    input  wire                  in_valid_i, // operands; else nothing switches
     input  wire signed [W-1:0]   a_i,    // sW
     input  wire signed [W-1:0]   b_i,    // sW
     output wire signed [2*W-1:0] p_o     // s2W
@@ -23,11 +24,13 @@ module rt_multiply #(
         if (C == 1) begin : g_one
             // ---- stage 1: product ----
             reg signed [2*W-1:0] s1_p_q;
-            always @(posedge clk) s1_p_q <= a_i * b_i;
+            always @(posedge clk) if (in_valid_i) s1_p_q <= a_i * b_i;
             assign p_o = s1_p_q;
         end else begin : g_many
             wire signed [AW-1:0] a = {{(AW-W){a_i[W-1]}}, a_i};
             wire signed [AW-1:0] b = {{(AW-W){b_i[W-1]}}, b_i};
+            reg [C:1]            valid_q;    // stages that hold a product
+            always @(posedge clk) valid_q <= {valid_q[C-1:1], in_valid_i};
             // ---- stage 1: C*C products, 36 bits each ----
             wire [36*C*C-1:0] s1_p;
             genvar i, j, d;
@@ -36,7 +39,7 @@ module rt_multiply #(
                     wire signed [17:0] ca = {i == C-1 ? a[AW-1] : 1'b0, a[17*i +: 17]};
                     wire signed [17:0] cb = {j == C-1 ? b[AW-1] : 1'b0, b[17*j +: 17]};
                     reg signed [35:0] s1_p_q;
-                    always @(posedge clk) s1_p_q <= ca * cb;
+                    always @(posedge clk) if (in_valid_i) s1_p_q <= ca * cb;
                     assign s1_p[36*(i*C + j) +: 36] = s1_p_q;
                 end
             end
@@ -53,10 +56,10 @@ module rt_multiply #(
                 assign down[34*N +: 2] = s1_p[36*((C-1)*C + N-1) + 34 +: 2];
                 reg signed [34*N+2:0] s2_sum_q;
                 if (d == 0) begin : g_middle
-                    always @(posedge clk) s2_sum_q <= {up[34*N+1], up};
+                    always @(posedge clk) if (valid_q[1]) s2_sum_q <= {up[34*N+1], up};
                     wire unused = &{1'b0, down};
                 end else begin : g_pair
-                    always @(posedge clk)
+                    always @(posedge clk) if (valid_q[1])
                         s2_sum_q <= $signed({up[34*N+1], up}) + $signed({down[34*N+1], down});
                 end
                 // delayed to the stage that adds it
@@ -78,7 +81,7 @@ module rt_multiply #(
             assign sum[0] = s2_word[0];
             for (d = 1; d < C; d = d + 1) begin : g_sum
                 reg signed [PW-1:0] sum_q;
-                always @(posedge clk) sum_q <= sum[d-1] + s2_word[d];
+                always @(posedge clk) if (valid_q[d+1]) sum_q <= sum[d-1] + s2_word[d];
                 assign sum[d] = sum_q;
             end
             assign p_o = sum[C-1][2*W-1:0];

@@ -87,8 +87,8 @@ module rt_normalise #(
     wire [LW-1:0]      s3_v = {s1_x_q, {SPARE{1'b0}}} << {s2_coarse_q, 3'd0};
     wire [AW-1:0]      s4_v = s3_v_q << s3_fine_q;
     always @(posedge clk) begin
-        s3_v_q <= s3_v[LW-1 -: AW];
-        s4_v_q <= s4_v[AW-1 -: BITS+1];
+        if (leave)       s3_v_q <= s3_v[LW-1 -: AW];
+        if (|step_q[5:3]) s4_v_q <= s4_v[AW-1 -: BITS+1];
     end
 
     // ---- stage 5: round half up; only the largest positive value can overflow ----
@@ -97,9 +97,11 @@ module rt_normalise #(
     wire [BITS-1:0]    s5_v    = s5_over ? {1'b0, {(BITS-1){1'b1}}} : s5_sum[BITS:1];
     reg                s5_last_q;
     always @(posedge clk) begin
-        out_z_o     <= s5_v;
-        out_y_o     <= out_z_o;
-        out_x_o     <= out_y_o;
+        if (|step_q[5:4] || s5_last_q) begin
+            out_z_o <= s5_v;
+            out_y_o <= out_z_o;
+            out_x_o <= out_y_o;
+        end
         s5_last_q   <= step_q[5];
         out_valid_o <= s5_last_q;
         if (rst) begin

@@ -49,7 +49,8 @@ module rt_quotient #(
     wire signed [7:0] up   = key_many ? MANY : key_one ? 8'sd1 : 8'sd0;
     wire signed [7:0] down = a_many   ? MANY : a_one   ? 8'sd1 : 8'sd0;
 
-    // ---- one round: STEP quotient bits; while normalising, the shift without subtracting ----
+    // ---- one round: STEP quotient bits; while normalising, the shift without subtracting: then
+    // rem is below 2^W, and 2^W more than div does not fit ----
     reg          ready_q;                    // both operands are normalised
     reg [MW-1:0] mant_q, mant_d;
     reg [W:0]    rem_d;
@@ -60,9 +61,9 @@ module rt_quotient #(
         mant_d = mant_q;
         left   = {(W+2){1'b0}};
         for (i = 0; i < STEP; i = i + 1) begin
-            left   = {1'b0, rem_d} - {2'd0, div_q};
+            left   = {1'b0, rem_d} - {1'b0, !ready_q, div_q};
             mant_d = {mant_d[MW-2:0], !left[W+1]};
-            rem_d  = {left[W+1] || !ready_q ? rem_d[W-1:0] : left[W-1:0], 1'b0};
+            rem_d  = {left[W+1] ? rem_d[W-1:0] : left[W-1:0], 1'b0};
         end
     end
 

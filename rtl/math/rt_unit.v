@@ -43,7 +43,7 @@ module rt_unit #(
     localparam T_H   = T_VV + 2;                    // shift h and the shifted v.v, even
     localparam T_Y   = T_H + 5;                     // y, odd
     localparam T_OUT = T_Y + L + 2;                 // u, even
-    // What must wait does so in registers that shift every second clock.
+    // What must wait does so in registers that are loaded every second clock at most.
     localparam N_TAG = T_OUT/2;                     // stage j stands in clocks 2j+1 and 2j+2
     localparam N_V   = T_H/2 + 1;                   // the same
     localparam N_VV  = (T_OUT - T_VV)/2;            // from T_VV+1 on
@@ -54,12 +54,14 @@ module rt_unit #(
     reg                 phase_q;                    // 0 in even clocks, seen from clock 0
     reg [T_OUT-1:0]     valid_q;                    // bit i: clock i+1
     reg [N_TAG*TAG-1:0] tag_q;
+    integer             i_tag, i_vv, i_h, i_v, i_y;    // one a block: Yosys sees one driver of each
     wire                take = in_valid_i && !phase_q;
     assign in_ready_o = !phase_q;
     always @(posedge clk) begin
         phase_q <= !phase_q;
         valid_q <= {valid_q[T_OUT-2:0], take};
-        if (!phase_q) tag_q[N_TAG*TAG-1:TAG] <= tag_q[(N_TAG-1)*TAG-1:0];
+        for (i_tag = 1; i_tag < N_TAG; i_tag = i_tag + 1)
+            if (valid_q[2*i_tag-1]) tag_q[TAG*i_tag +: TAG] <= tag_q[TAG*(i_tag-1) +: TAG];
         if (take) tag_q[TAG-1:0] <= in_tag_i;
         if (rst) begin
             phase_q <= ODD != 0;
@@ -87,20 +89,30 @@ module rt_unit #(
 
     // ---- products ----
     wire signed [2*OW-1:0] p_x, p_y, p_z;
-    rt_multiply #(.W(OW)) u_mul_x (.clk(clk), .a_i(a_x_q), .b_i(b_x_q), .p_o(p_x));
-    rt_multiply #(.W(OW)) u_mul_y (.clk(clk), .a_i(a_y_q), .b_i(b_y_q), .p_o(p_y));
-    rt_multiply #(.W(OW)) u_mul_z (.clk(clk), .a_i(a_z_q), .b_i(b_z_q), .p_o(p_z));
+    wire                   p_in = valid_q[0] || valid_q[T_Y];
+    rt_multiply #(.W(OW)) u_mul_x (
+        .clk(clk), .in_valid_i(p_in), .a_i(a_x_q), .b_i(b_x_q), .p_o(p_x)
+    );
+    rt_multiply #(.W(OW)) u_mul_y (
+        .clk(clk), .in_valid_i(p_in), .a_i(a_y_q), .b_i(b_y_q), .p_o(p_y)
+    );
+    rt_multiply #(.W(OW)) u_mul_z (
+        .clk(clk), .in_valid_i(p_in), .a_i(a_z_q), .b_i(b_z_q), .p_o(p_z)
+    );
 
     // ---- sum: v.v in clock T_VV ----
     reg [VW-1:0]      xy_q, zz_q, vv_q;
     reg [N_VV*VW-1:0] vv_wait_q;
+    wire [(N_VV+1)*VW-1:0] vv_wait_d = {vv_wait_q, vv_q};
     always @(posedge clk) begin
         if (valid_q[L]) begin
             xy_q <= p_x[VW-1:0] + p_y[VW-1:0];
             zz_q <= p_z[VW-1:0];
         end
-        vv_q <= xy_q + zz_q;
-        if (!phase_q) vv_wait_q <= {vv_wait_q[(N_VV-1)*VW-1:0], vv_q};
+        if (valid_q[L+1]) vv_q <= xy_q + zz_q;
+        for (i_vv = 0; i_vv < N_VV; i_vv = i_vv + 1)
+            if (valid_q[T_VV+2*i_vv-1])
+                vv_wait_q[VW*i_vv +: VW] <= vv_wait_d[VW*i_vv +: VW];
     end
 
     // ---- shift: pairs of leading zeros, by 16 and 8, then by 4, 2 and 1 ----
@@ -119,13 +131,19 @@ module rt_unit #(
     reg  [17:0] x_q;                                         // u18, in [2^16, 2^18) or 0
     reg  [4:0]  h_q;                                         // in clock T_H; 0 for v = 0
     reg  [N_H*5-1:0] h_wait_q;
+    wire [N_H*5+4:0] h_wait_d = {h_wait_q, h_q};
     always @(posedge clk) begin
-        n_8_q  <= h_8 ? n_16[47:16] : n_16[63:32];
-        h_16_q <= h_16;
-        h_8_q  <= h_8;
-        x_q    <= n_1;
-        h_q    <= n_1[17:16] == 2'd0 ? 5'd0 : {h_16_q, h_8_q, h_4, h_2, h_1};
-        if (!phase_q) h_wait_q <= {h_wait_q[(N_H-1)*5-1:0], h_q};
+        if (valid_q[T_VV-1]) begin
+            n_8_q  <= h_8 ? n_16[47:16] : n_16[63:32];
+            h_16_q <= h_16;
+            h_8_q  <= h_8;
+        end
+        if (valid_q[T_VV]) begin
+            x_q    <= n_1;
+            h_q    <= n_1[17:16] == 2'd0 ? 5'd0 : {h_16_q, h_8_q, h_4, h_2, h_1};
+        end
+        for (i_h = 0; i_h < N_H; i_h = i_h + 1)
+            if (valid_q[T_H+2*i_h-1]) h_wait_q[5*i_h +: 5] <= h_wait_d[5*i_h +: 5];
     end
 
     // ---- v waits for h and is shifted: stands from T_H+3 to T_H+4, then to T_Y+1 ----
@@ -139,11 +157,15 @@ module rt_unit #(
                                          v_wait_q[N_V*3*BITS-2*BITS-1 -: BITS]});
     always @(posedge clk) begin
         if (take) v_wait_q[3*BITS-1:0] <= {in_x_i, in_y_i, in_z_i};
-        if (!phase_q) begin
-            v_wait_q[N_V*3*BITS-1:3*BITS] <= v_wait_q[(N_V-1)*3*BITS-1:0];
+        for (i_v = 1; i_v < N_V; i_v = i_v + 1)
+            if (valid_q[2*i_v-1])
+                v_wait_q[3*BITS*i_v +: 3*BITS] <= v_wait_q[3*BITS*(i_v-1) +: 3*BITS];
+        if (valid_q[T_H+1]) begin
             s_x_q    <= v_x <<< h_wait_q[4:0];               // |v << h| < 2^BITS
             s_y_q    <= v_y <<< h_wait_q[4:0];
             s_z_q    <= v_z <<< h_wait_q[4:0];
+        end
+        if (valid_q[T_H+3]) begin
             back_x_q <= s_x_q;
             back_y_q <= s_y_q;
             back_z_q <= s_z_q;
@@ -158,17 +180,26 @@ module rt_unit #(
     reg  [20:0] slope_q, slope_two_q;                        // u11.10
     reg  [16:0] start_q, start_two_q;                        // u1.16
     reg  [N_Y*17-1:0] y_wait_q;
+    wire [N_Y*17+16:0] y_wait_d = {y_wait_q, y_q};
     rt_rsqrt_rom u_rom (.clk(clk), .index_i(x_q[17:10]), .line_q(line));
     always @(posedge clk) begin
-        frac_q      <= x_q[9:0];
-        line_q      <= line;
-        frac_two_q  <= frac_q;
-        slope_q     <= {10'd0, line_q[27:17]} * {11'd0, frac_two_q};
-        start_q     <= line_q[16:0];
-        slope_two_q <= slope_q;
-        start_two_q <= start_q;
-        y_q         <= start_two_q - {6'd0, slope_two_q[20:10]};
-        if (phase_q) y_wait_q <= {y_wait_q[(N_Y-1)*17-1:0], y_q};
+        if (valid_q[T_H-1]) frac_q <= x_q[9:0];
+        if (valid_q[T_H]) begin
+            line_q      <= line;
+            frac_two_q  <= frac_q;
+        end
+        if (valid_q[T_H+1]) begin
+            slope_q     <= {10'd0, line_q[27:17]} * {11'd0, frac_two_q};
+            start_q     <= line_q[16:0];
+        end
+        if (valid_q[T_H+2]) begin
+            slope_two_q <= slope_q;
+            start_two_q <= start_q;
+        end
+        if (valid_q[T_H+3]) y_q <= start_two_q - {6'd0, slope_two_q[20:10]};
+        for (i_y = 0; i_y < N_Y; i_y = i_y + 1)
+            if (valid_q[T_Y+2*i_y-1])
+                y_wait_q[17*i_y +: 17] <= y_wait_d[17*i_y +: 17];
     end
 
     // ---- round ----
@@ -193,6 +224,7 @@ module rt_unit #(
     // for benches: {turned away, taken, clocks of work}
     wire [7:0] work_unit_vectors /* verilator public_flat_rd */ =
         {in_valid_i && !in_ready_o, take, 4'd0, take, 1'b0};
-    wire unused = &{1'b0, p_x, p_y, p_z, r_x, r_y, r_z, n_16, n_2[11:0], slope_two_q[9:0]};
+    wire unused = &{1'b0, p_x, p_y, p_z, r_x, r_y, r_z, n_16, n_2[11:0], slope_two_q[9:0],
+                    vv_wait_d, h_wait_d, y_wait_d};
 endmodule
 `default_nettype wire

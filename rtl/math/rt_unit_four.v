@@ -44,6 +44,7 @@ module rt_unit_four #(
     reg [1:0]            phase_q;
     reg [STAGES-1:0]     valid_q;
     reg [STAGES*TAG-1:0] tag_q;
+    integer              i;
     wire                 last = phase_q == 2'd3;
     wire                 take = last && in_valid_i;
     assign in_ready_o = last;
@@ -51,7 +52,8 @@ module rt_unit_four #(
         phase_q <= phase_q + 2'd1;
         if (last) begin
             valid_q <= {valid_q[STAGES-2:0], in_valid_i};
-            tag_q[STAGES*TAG-1:TAG] <= tag_q[(STAGES-1)*TAG-1:0];
+            for (i = 1; i < STAGES; i = i + 1)
+                if (valid_q[i-1]) tag_q[TAG*i +: TAG] <= tag_q[TAG*(i-1) +: TAG];
         end
         if (take) tag_q[TAG-1:0] <= in_tag_i;
         if (rst) begin
@@ -72,10 +74,9 @@ module rt_unit_four #(
     wire signed [BITS:0] turn_s = {turn[BITS-1], turn};
     always @(posedge clk) begin
         if (take) v0_q <= {in_z_i, in_y_i, in_x_i};
-        if (last) begin
-            {v2_q, v1_q} <= {v1_q, v0_q};
-            z_q <= v2_q[2*BITS +: BITS];
-        end
+        if (last && valid_q[0]) v1_q <= v0_q;
+        if (last && valid_q[1]) v2_q <= v1_q;
+        if (last && valid_q[2]) z_q  <= v2_q[2*BITS +: BITS];
         if (phase_q != 2'd1 && |valid_q[3:2]) shift_q <= turn_s <<< h_q;
         if (phase_q != 2'd2 && |valid_q[4:2]) begin
             {s_x_q, s_y_q, s_z_q} <= {s_y_q, s_z_q, shift_q};
@@ -125,7 +126,10 @@ module rt_unit_four #(
         if (last ? valid_q[0] : valid_q[1])
             acc_q <= last ? 40'sd0 : acc_old + $signed({{2{sum_q[37]}}, sum_q});
         if (^phase_q && valid_q[1]) acc_low_q <= {acc_q[16:0], acc_low_q[33:17]};
-        if (last) {vv5_q, vv4_q, vv3_q, vv2_q} <= {vv4_q, vv3_q, vv2_q, acc[VW-1:0]};
+        if (last && valid_q[1]) vv2_q <= acc[VW-1:0];
+        if (last && valid_q[2]) vv3_q <= vv2_q;
+        if (last && valid_q[3]) vv4_q <= vv3_q;
+        if (last && valid_q[4]) vv5_q <= vv4_q;
     end
 
     // ---- shift: pairs of leading zeros, by 16 and 8, then by 4, 2 and 1 ----

@@ -123,7 +123,7 @@ module rt_cache #(
     always @(posedge clk) begin
         stale_q <= walk_q || s0_stale || s1_stale;
         skid_q <= !s1_free && s0_valid;
-        if (!skid_q) begin
+        if (!skid_q && req_valid_i) begin
             skid_line_q <= req_line_i;
             skid_tag_q  <= req_tag_i;
         end
@@ -132,8 +132,8 @@ module rt_cache #(
             s1_line_q  <= s0_line;
             s1_tag_q   <= skid_q ? skid_tag_q : req_tag_i;
         end
-        if (s2_free) begin
-            s2_valid_q <= s1_valid_q && !s1_wait;
+        if (s2_free) s2_valid_q <= s1_valid_q && !s1_wait;
+        if (s2_free && s1_valid_q) begin
             s2_line_q  <= s1_line_q;
             s2_tag_q   <= s1_tag_q;
         end
@@ -184,7 +184,7 @@ module rt_cache #(
             assign s2_keys[KW*g +: KW] = walk_q ? {KW{1'b0}}
                 : victim[g] ? {!s2_filled_q[g], s2_line_q[LINE_BITS-1:PB]} : key_q;
             always @(posedge clk) begin
-                if (s2_free) key_q <= {asked, key};
+                if (s2_free && s1_valid_q) key_q <= {asked, key};
                 if (walk_q)  key_q <= {KW{1'b0}};
             end
             rt_slot_file #(.WIDTH(2), .SLOTS(SETS)) u_fill (
@@ -268,7 +268,7 @@ module rt_cache #(
     wire [HB-1:0] s2_what, head_what;       // place, and whether memory ends within its group
     generate
         if (GROUP == 1) begin : g_line
-            always @(posedge clk) if (!mem_req_valid_o) mem_req_line_o <= s2_line_q;
+            always @(posedge clk) if (s2_valid_q && !mem_req_valid_o) mem_req_line_o <= s2_line_q;
             assign forget     = flush_i;
             assign s2_what    = s2_place;
             assign head_place = head_what;
@@ -338,10 +338,8 @@ module rt_cache #(
     assign head_ready      = head_valid_q && (!head_leader || head_filled_q);
     assign head_go         = head_ready && rsp_free;
     always @(posedge clk) begin
-        if (head_free) begin
-            head_valid_q <= queue_valid;
-            head_q       <= queue_data;
-        end
+        if (head_free) head_valid_q <= queue_valid;
+        if (head_free && queue_valid) head_q <= queue_data;
         held_q <= held_q + {{(CB-1){1'b0}}, queue_go} - {{(CB-1){1'b0}}, head_go};
         room_q <= held_q < PENDING[CB-1:0] - 1'b1;
         if (fill && fill_last) head_filled_q <= 1'b1;

@@ -26,6 +26,7 @@ module rt_mem_arbiter #(
     input  wire [CLIENTS-1:0]    rsp_ready_i,
     output wire [255:0]          rsp_data_o,       // one bus for all
     output wire                  rsp_error_o,      // any beat had one
+    output wire                  busy_o,           // a line is asked for, on its way or not taken
     // to memory
     output reg                   mem_req_valid_o,
     input  wire                  mem_req_ready_i,
@@ -121,6 +122,8 @@ module rt_mem_arbiter #(
     assign rsp_valid_o     = owner_q & {CLIENTS{full_q}};
     assign rsp_data_o      = line_q;
     assign rsp_error_o     = error_q;
+    assign busy_o          = |req_valid_i || mem_req_valid_o || coming_q != {(PB+1){1'b0}} ||
+                             full_q;
     integer k;
     always @(posedge clk) begin
         came_q   <= line_take;

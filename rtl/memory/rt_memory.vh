@@ -4,6 +4,11 @@
 // compiled memory in the place of one, replace that file and keep its ports and what its head says.
 //   RT_NO_LUT_RAM   defined for a family without memory in LUTs, and for standard cells: a
 //                   rt_slot_file is of flip-flops then, unless its file is replaced
+//   RT_FALLING_BITS a number: a rt_slot_file of so many bits and more is block RAM that is read at
+//                   the falling edge, for a family whose memory has registered reads only
+`ifndef RT_FALLING_BITS
+`define RT_FALLING_BITS 0
+`endif
 `ifndef RT_LUT_RAM
 `ifdef RT_NO_LUT_RAM
 `define RT_LUT_RAM

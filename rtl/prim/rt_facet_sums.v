@@ -109,17 +109,17 @@ module rt_facet_sums #(
                     wire signed [NW-1:0] x_now = phase_q[0] ? x_y : x_z;
                     wire signed [NW-1:0] y_now = phase_q[0] ? y_z : y_y;
                     rt_multiply #(.W(NW)) u_product (
-                        .clk(clk), .a_i(x_now), .b_i(y_now), .p_o(p)
+                        .clk(clk), .in_valid_i(|at_q[INTERVAL:1]), .a_i(x_now), .b_i(y_now), .p_o(p)
                     );
                     always @(posedge clk) c_q <= long[CW-1:0] - (first ? {CW{1'b0}} : c_q);
                     assign load = at_q[VECTOR] || at_q[VECTOR+2];
                 end else begin : g_pair
                     wire [2*NW-1:0] less;
                     rt_multiply #(.W(NW)) u_product (
-                        .clk(clk), .a_i(x_y), .b_i(y_z), .p_o(p)
+                        .clk(clk), .in_valid_i(|at_q[INTERVAL:1]), .a_i(x_y), .b_i(y_z), .p_o(p)
                     );
                     rt_multiply #(.W(NW)) u_less (
-                        .clk(clk), .a_i(x_z), .b_i(y_y), .p_o(less)
+                        .clk(clk), .in_valid_i(|at_q[INTERVAL:1]), .a_i(x_z), .b_i(y_y), .p_o(less)
                     );
                     wire [CW+2*NW-1:0] long_less = {{CW{less[2*NW-1]}}, less};
                     always @(posedge clk) c_q <= long[CW-1:0] - long_less[CW-1:0];

@@ -41,7 +41,7 @@ module rt_leaf #(
     input  wire                   in_shadow_i,   // a ray to a light: RT_RAY_SHADOW
     input  wire [`RT_ID_BITS-1:0] in_skip_id_i,  // sphere the ray starts on
     input  wire                   in_skip_inside_i,  // and whether inside it
-    // to rt_root_pool
+    // to rt_sphere_key
     output wire                   out_valid_o,
     output wire [TAG-1:0]         out_tag_o,
     output wire [`RT_ID_BITS-1:0] out_id_o,

@@ -54,9 +54,11 @@ module rt_leaf_two #(
     wire signed [OW-1:0] rad  = {{(OW-W){1'b0}}, rad_q};
     wire [WD-1:0] dir_x = dir_i[0 +: WD], dir_y = dir_i[WD +: WD], dir_z = dir_i[2*WD +: WD];
     always @(posedge clk) begin
-        op_x_q <= oc_x;
-        op_y_q <= oc_y;
-        op_z_q <= oc_z;
+        if (valid_i[1]) begin
+            op_x_q <= oc_x;
+            op_y_q <= oc_y;
+            op_z_q <= oc_z;
+        end
         if (take_i) begin
             oc_x_q <= $signed(oc_i[0 +: W+1]);
             oc_y_q <= $signed(oc_i[W+1 +: W+1]);
@@ -70,10 +72,18 @@ module rt_leaf_two #(
 
     // ---- products in clocks L+1, L+2; rad^2 in both ----
     wire signed [2*OW-1:0] p_x, p_y, p_z, p_rad;
-    rt_multiply #(.W(OW)) u_mul_x   (.clk(clk), .a_i(oc_x), .b_i(op_x_q), .p_o(p_x));
-    rt_multiply #(.W(OW)) u_mul_y   (.clk(clk), .a_i(oc_y), .b_i(op_y_q), .p_o(p_y));
-    rt_multiply #(.W(OW)) u_mul_z   (.clk(clk), .a_i(oc_z), .b_i(op_z_q), .p_o(p_z));
-    rt_multiply #(.W(OW)) u_mul_rad (.clk(clk), .a_i(rad),  .b_i(rad),    .p_o(p_rad));
+    rt_multiply #(.W(OW)) u_mul_x (
+        .clk(clk), .in_valid_i(|valid_i[2:1]), .a_i(oc_x), .b_i(op_x_q), .p_o(p_x)
+    );
+    rt_multiply #(.W(OW)) u_mul_y (
+        .clk(clk), .in_valid_i(|valid_i[2:1]), .a_i(oc_y), .b_i(op_y_q), .p_o(p_y)
+    );
+    rt_multiply #(.W(OW)) u_mul_z (
+        .clk(clk), .in_valid_i(|valid_i[2:1]), .a_i(oc_z), .b_i(op_z_q), .p_o(p_z)
+    );
+    rt_multiply #(.W(OW)) u_mul_rad (
+        .clk(clk), .in_valid_i(|valid_i[2:1]), .a_i(rad), .b_i(rad), .p_o(p_rad)
+    );
 
     // ---- sums: b = (x + y) + z in clock T_B, k = (rad^2 - z) - (x + y) in the next ----
     // -v = ~v + 1; the 1 is the carry into an extra bit at the bottom.
@@ -91,8 +101,10 @@ module rt_leaf_two #(
                          + {e_z[VW-1:0] ^ {VW{z_sub}}, z_sub};
     wire [VW:0]   xy_sum = {z_q, 1'b1} + {xy_q ^ {VW{xy_sub}}, xy_sub};
     always @(posedge clk) begin
-        xy_q <= e_x[VW-1:0] + e_y[VW-1:0];
-        z_q  <= z_sum[VW:1];
+        if (|valid_i[L+2:L+1]) begin
+            xy_q <= e_x[VW-1:0] + e_y[VW-1:0];
+            z_q  <= z_sum[VW:1];
+        end
         if (|valid_i[T_B:T_B-1]) val_q <= xy_sum[VW:1];
     end
 
@@ -104,7 +116,10 @@ module rt_leaf_two #(
         wide_a_q <= val;
         wide_b_q <= valid_i[T_B+1] ? $signed({{(NW-2*WD){1'b0}}, a_i}) : val;
     end
-    rt_multiply #(.W(NW)) u_mul_wide (.clk(clk), .a_i(wide_a_q), .b_i(wide_b_q), .p_o(p_wide));
+    rt_multiply #(.W(NW)) u_mul_wide (
+        .clk(clk), .in_valid_i(|valid_i[T_B+2:T_B+1]),
+        .a_i(wide_a_q), .b_i(wide_b_q), .p_o(p_wide)
+    );
 
     // ---- signs of b, k, b - a, k_light = k + 2b - a = rad^2 - |light - ctr|^2 ----
     reg                  b_pos_q, b_short_q;     // b > 0, b < a, in clock T_B+1
@@ -119,12 +134,12 @@ module rt_leaf_two #(
     always @(posedge clk) begin
         b_pos_q    <= val_pos;
         b_short_q  <= b_a[AW-1];
-        part_q     <= (val_l <<< 1) - a_l;
+        if (valid_i[T_B]) part_q <= (val_l <<< 1) - a_l;
         bb_pos_q   <= b_pos_q;
         bb_short_q <= b_short_q;
         k_pos_q    <= val_pos;
         k_neg_q    <= val_q[VW-1];
-        light_q    <= val_l + part_q;
+        if (valid_i[T_B+1]) light_q <= val_l + part_q;
     end
     assign b_o         = val_q[BW-1:0];
     assign b_pos_o     = bb_pos_q;
@@ -136,7 +151,8 @@ module rt_leaf_two #(
 
     // ---- disc: b*b, then k*a added, in clock T_DISC ----
     reg [DW-1:0] disc_q;
-    always @(posedge clk) disc_q <= p_wide[DW-1:0] + (valid_i[T_DISC-1] ? disc_q : {DW{1'b0}});
+    always @(posedge clk) if (|valid_i[T_DISC-1:T_DISC-2])
+        disc_q <= p_wide[DW-1:0] + (valid_i[T_DISC-1] ? disc_q : {DW{1'b0}});
     assign disc_o = disc_q;
 
     wire unused = &{1'b0, e_x, e_y, e_z, e_rad, z_sum[0], xy_sum[0], p_wide, b_a[AW-2:0], valid_i};

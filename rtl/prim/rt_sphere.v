@@ -1,10 +1,10 @@
 // rt_sphere.v - spheres, a kind of primitive: the test, the root of a hit, its key
 // SPDX-License-Identifier: Apache-2.0
-//   test --> rt_leaf --+-- a root is needed --> queue --> rt_root_pool --+--> result
+//   test --> rt_leaf --+-- a root is needed --> queue --> rt_sphere_key -+--> result
 //                      +-- none is ----------> queue --------------------+
 // No root is needed for a miss, for a ray to a light and for a ray that leaves its own sphere at
 // once. rt_leaf cannot be held back: at most HOLD spheres are under way, so that the queues cannot
-// overflow. Results leave in any order; one of a root unit is urgent, since the unit waits for it.
+// overflow. Results leave in any order; one with a root is urgent, since it is there for one clock.
 // Model: test() in cmodel/prim/sphere.c
 `timescale 1ns / 1ps
 `default_nettype none
@@ -15,7 +15,7 @@ module rt_sphere #(
     parameter WD    = 17,   // direction component, bits
     parameter NG    = 2,    // guard bits of a hit point
     parameter SLOTS = 32,   // power of two
-    parameter ROOTS = 3,    // square root units
+    parameter ROOTS = 3,    // square roots under way at once
     parameter ROOT_STEP = 2, // root bits a clock
     parameter PR    = 0,    // significant bits of the root, 0: all
     parameter INTERVAL = 2, // clocks an exact test, 2 or 4
@@ -35,7 +35,7 @@ module rt_sphere #(
     output wire [`RT_RESULT_BITS-1:0] result_o,
     //: {SLOT[SLOTW], KEY[W+WD+2], ID[24], FAR, HIT, VALID}
     input  wire                       result_ready_i,
-    output wire                       urgent_o,       // the result goes before those of other kinds
+    output wire                       urgent_o,       // the result is taken in this clock
     // event
     output wire                       root_o          // a square root is begun
 );
@@ -105,18 +105,17 @@ module rt_sphere #(
         .in_data_i(d_all[RW+IB:0]),
         .out_valid_o(d_valid), .out_ready_i(d_taken), .out_data_o(d)
     );
-    rt_root_pool #(.W(W), .WD(WD), .PR(PR), .UNITS(ROOTS), .STEP(ROOT_STEP), .TAG(RW),
-                   .INSIDE(INSIDE)) u_pool (
+    rt_sphere_key #(.W(W), .WD(WD), .PR(PR), .STAGES(ROOTS), .STEP(ROOT_STEP), .TAG(RW),
+                    .INSIDE(INSIDE)) u_key (
         .clk(clk), .rst(rst),
         .in_valid_i(r_valid), .in_ready_o(r_ready), .in_tag_i(r[XW+KW +: RW]),
         .in_far_i(INSIDE != 0 && r[RW+XW+KW+IB-1]),
         .in_disc_i(r[KW +: XW]), .in_b_i($signed(r[KW-1:0])),
-        .out_valid_o(p_valid), .out_ready_i(result_ready_i), .out_tag_o(p_tag),
-        .out_far_o(p_far), .out_key_o(p_key)
+        .out_valid_o(p_valid), .out_tag_o(p_tag), .out_far_o(p_far), .out_key_o(p_key)
     );
     assign root_o = r_valid && r_ready;
 
-    // ---- those under way: taken, and not yet in a root unit or given ----
+    // ---- those under way: taken, and whose root is not begun, not given ----
     reg [4:0] held_q;                                // a clock late where some left
     reg [1:0] left_q;                                // so many left in the last clock
     wire      d_leaves = d_valid && d_taken;
@@ -127,7 +126,7 @@ module rt_sphere #(
         if (rst) begin held_q <= 5'd0; credit_q <= 1'b0; left_q <= 2'd0; end
     end
 
-    // ---- results: root units first ----
+    // ---- results: those with a root first ----
     assign urgent_o = p_valid;
     assign d_taken  = result_ready_i && !p_valid;
     assign result_o[`RT_RESULT_VALID] = p_valid || d_valid;

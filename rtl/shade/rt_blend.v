@@ -40,12 +40,14 @@ module rt_blend #(
 );
     // ---- control: ph_q[n] n cycles after the input was taken ----
     reg  [9:1]     ph_q;
+    reg            ready_q;                 // none of ph_q[7:1]
     wire           take = in_valid_i && in_ready_o;
-    assign in_ready_o  = ~|ph_q[7:1];
+    assign in_ready_o  = ready_q;
     assign out_valid_o = ph_q[9];
     always @(posedge clk) begin
-        ph_q <= {ph_q[8:1], take};
-        if (rst) ph_q <= 9'd0;
+        ph_q    <= {ph_q[8:1], take};
+        ready_q <= ~|ph_q[6:1] && !take;
+        if (rst) {ready_q, ph_q} <= {1'b1, 9'd0};
     end
 
     // ---- input: channels move down ----
@@ -68,8 +70,8 @@ module rt_blend #(
             depth_q  <= in_depth_i;
             colour_q <= in_colour_i;
         end else begin
-            albedo_q[15:0] <= albedo_q[23:8];
-            light_q[33:0]  <= light_q[50:17];
+            if (|ph_q[2:1]) albedo_q[15:0] <= albedo_q[23:8];
+            if (|ph_q[2:1]) light_q[33:0]  <= light_q[50:17];
             if (|ph_q[7:6]) sum_q[31:0] <= sum_q[47:16];
         end
 
@@ -79,7 +81,7 @@ module rt_blend #(
     reg  [15:0]    s3_colour_q;             // u8.8
     reg  [16:0]    s3_front_q, s3_weight_q; // u1.16
     wire           s1_blend = |ph_q[6:4];
-    always @(posedge clk) begin
+    always @(posedge clk) if (|ph_q[6:1]) begin
         s1_a_q <= s1_blend ? s3_colour_q : {8'd0, albedo_q[7:0]};
         s1_x_q <= s1_blend ? weight_q    : light_q[16:0];
         s1_b_q <= s1_blend ? s3_colour_q : {7'd0, kr_q};
@@ -89,7 +91,7 @@ module rt_blend #(
 
     // ---- stage 2: products ----
     reg  [32:0]    s2_ax_q, s2_by_q;
-    always @(posedge clk) begin
+    always @(posedge clk) if (|ph_q[7:2]) begin
         s2_ax_q <= s1_a_q * s1_x_q;
         s2_by_q <= s1_b_q * s1_y_q;
     end
@@ -99,7 +101,8 @@ module rt_blend #(
     wire [25:0]    s3_front  = {1'b0, weight_q, 8'd128} - s2_by_q[25:0];
     wire [17:0]    s3_behind = s2_by_q[24:7] + 18'd1;
     always @(posedge clk) begin
-        s3_colour_q <= s3_light[18:1] > 18'd65280 ? 16'd65280 : s3_light[16:1];
+        if (|ph_q[5:3])
+            s3_colour_q <= s3_light[18:1] > 18'd65280 ? 16'd65280 : s3_light[16:1];
         if (ph_q[3]) s3_front_q  <= s3_front[24:8];
         if (ph_q[3]) s3_weight_q <= s3_behind[17:1];
     end
@@ -111,7 +114,7 @@ module rt_blend #(
     wire [7:0]     s3_byte = s3_half[9] ? 8'd255 : s3_half[8:1];
     reg  [15:0]    s3_pixel_q;              // red and green
     wire [23:0]    s3_pixel = {s3_byte, s3_pixel_q};
-    always @(posedge clk) begin
+    always @(posedge clk) if (|ph_q[8:6]) begin
         s3_pixel_q <= s3_pixel[23:8];
         out_sum_o  <= {s3_sum[16:1], out_sum_o[47:16]};
     end

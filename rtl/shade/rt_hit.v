@@ -81,7 +81,10 @@ module rt_hit #(
     wire                 start = in_valid_i && ~|ph_q[INTERVAL-1:1] && !late;
     wire [LAST+5:0]      ph = {ph_q, start};
     wire                 in_1  = ph[X] || ph[X+D] || ph[LAST];  // one of the three is in stage 1
+    wire                 in_2  = ph[X+1] || ph[X+D+1] || ph[LAST+1];
+    wire                 in_3  = ph[X+2] || ph[X+D+2] || ph[LAST+2];
     wire                 in_4  = ph[X+3] || ph[X+D+3] || ph[LAST+3];
+    wire                 in_5  = ph[X+4] || ph[X+D+4] || ph[LAST+4];
     wire                 guarded = ph[X+5] || ph[X+D+5] || ph[LAST+5];  // g is in its register
     wire                 feed  = |feed_q;
     wire                 take  = ph[T_TAKE];
@@ -165,7 +168,7 @@ module rt_hit #(
         end else begin : g_fast
             reg signed [PW-1:0] s1_prod_q;
             always @(posedge clk) begin
-                s1_prod_q <= $signed({1'b0, mant_q}) * dir_x_q;
+                if (in_1) s1_prod_q <= $signed({1'b0, mant_q}) * dir_x_q;
                 if (in_1 || feed) begin
                     back_z_q <= -$signed({dir_x_q[WD-1], dir_x_q});
                     {back_x_q, back_y_q} <= {back_y_q, back_z_q};
@@ -195,8 +198,8 @@ module rt_hit #(
         end
     endgenerate
     always @(posedge clk) begin
-        s2_prod_q <= s1_part[KB-1:0];
-        s3_prod_q <= s2_prod_q >>> shift_q[2:0];
+        if (in_2) s2_prod_q <= s1_part[KB-1:0];
+        if (in_3) s3_prod_q <= s2_prod_q >>> shift_q[2:0];
         {s4_far_q, s3_far_q, s2_far_q} <= {s3_far_q, s2_far_q, s1_far[shift_q[5:3]]};
         {s4_neg_q, s3_neg_q, s2_neg_q} <= {s3_neg_q, s2_neg_q, s1_half[SW-1]};
     end
@@ -204,7 +207,7 @@ module rt_hit #(
     // ---- stage 4: (2*org*2^NG + 1 + offset) / 2 rounds half up ----
     reg  signed [KB:0]   s4_sum_q;
     wire signed [KB:0]   s4_org = $signed({{(KB-W){org_x_q[W-1]}}, org_x_q, 1'b0}) <<< NG;
-    always @(posedge clk)
+    always @(posedge clk) if (in_4)
         s4_sum_q <= $signed({s4_org[KB:1], 1'b1}) + $signed({s3_prod_q[KB-1], s3_prod_q});
 
     // ---- stage 5: limit to the guarded grid ----
@@ -214,7 +217,8 @@ module rt_hit #(
     wire                 s5_over = s4_far_q || s4_sum_q[KB-1:GW] != {(KB-GW){s5_sign}};
     always @(posedge clk) begin
         s5_over_q <= s5_over;
-        s5_g_q    <= s5_over ? $signed({s5_sign, {(GW-1){!s5_sign}}}) : $signed(s4_sum_q[GW:1]);
+        if (in_5)
+            s5_g_q <= s5_over ? $signed({s5_sign, {(GW-1){!s5_sign}}}) : $signed(s4_sum_q[GW:1]);
     end
 
     // ---- stage 6: point and vector, as the primitive has them ----

@@ -40,7 +40,7 @@ module rt_lambert #(
         if (take) begin
             {nx_q, ny_q, nz_q} <= {in_normal_x_i, in_normal_y_i, in_normal_z_i};
             {lx_q, ly_q, lz_q} <= {in_light_x_i, in_light_y_i, in_light_z_i};
-        end else begin
+        end else if (ph_q[1]) begin
             nx_q <= nz_q;
             lx_q <= lz_q;
         end
@@ -48,7 +48,7 @@ module rt_lambert #(
 
     // ---- stage 1, cycles 1 and 2: products ----
     reg  signed [35:0] s1_xz_q, s1_y_q;       // s3.32
-    always @(posedge clk) begin
+    always @(posedge clk) if (|ph_q[2:1]) begin
         s1_xz_q <= nx_q * lx_q;
         s1_y_q  <= ny_q * ly_q;
     end
@@ -65,7 +65,7 @@ module rt_lambert #(
     wire signed [19:0] s3_cos  = $signed(s3_sum[20:1]);  // s4.15
     wire               s3_over = |s3_cos[18:15];
     always @(posedge clk) begin
-        out_cosine_o <= s3_cos[19] ? 16'd0 : s3_over ? 16'd32768 : s3_cos[15:0];
+        if (ph_q[4]) out_cosine_o <= s3_cos[19] ? 16'd0 : s3_over ? 16'd32768 : s3_cos[15:0];
         if (take)    s1_tag_q  <= in_tag_i;
         if (ph_q[2]) s2_tag_q  <= s1_tag_q;
         if (ph_q[4]) out_tag_o <= s2_tag_q;

@@ -42,7 +42,7 @@ module rt_light_add #(
             cosine_q    <= in_cosine_i;
             sum_q       <= in_sum_i;
             intensity_q <= in_intensity_i;
-        end else begin
+        end else if (|ph_q[2:1]) begin
             sum_q[33:0]       <= sum_q[50:17];
             intensity_q[31:0] <= intensity_q[47:16];
         end
@@ -50,7 +50,7 @@ module rt_light_add #(
     // ---- stage 1, cycles 1 to 3: product ----
     reg  [31:0]    s1_prod_q;              // u2.30
     reg  [16:0]    s1_sum_q;               // u2.15
-    always @(posedge clk) begin
+    always @(posedge clk) if (|ph_q[3:1]) begin
         s1_prod_q <= cosine_q * intensity_q[15:0];
         s1_sum_q  <= sum_q[16:0];
     end
@@ -58,7 +58,7 @@ module rt_light_add #(
     // ---- stage 2, cycles 2 to 4: (2*sum + 1 + product) / 2 rounds half up ----
     wire [18:0]    s2_sum = {1'b0, s1_sum_q, 1'b1} + {1'b0, s1_prod_q[31:14]};
     always @(posedge clk) begin
-        out_sum_o <= {s2_sum[18] ? 17'h1ffff : s2_sum[17:1], out_sum_o[50:17]};
+        if (|ph_q[4:2]) out_sum_o <= {s2_sum[18] ? 17'h1ffff : s2_sum[17:1], out_sum_o[50:17]};
         if (ph_q[3]) out_tag_o <= in_tag_q;
     end
     // for benches: {turned away, taken, clocks of work}

@@ -225,7 +225,7 @@ module rt_lights #(
             );
             always @(posedge clk) begin
                 if (e_load) e_highlight_q <= l_event[SLOTW+1 +: 16];
-                gloss_q <= a_gloss;
+                if (a_valid) gloss_q <= a_gloss;
             end
             assign gloss_o = gloss_q;
             wire unused = &{1'b0, g_ready, g_valid, g_tag};
@@ -249,8 +249,7 @@ module rt_lights #(
         if (go_q[3]) vec_slot_o <= vec_slot_q;
         if (turn != 2'd3) turn_q <= turn + 2'd1;  // stands still behind z
         sum_valid_o <= a_valid && a_last;
-        sum_slot_o  <= a_slot;
-        sum_o       <= a_sum;
+        if (a_valid) {sum_slot_o, sum_o} <= {a_slot, a_sum};
         if (rst) {vec_valid_o, go_q, sum_valid_o} <= 6'd0;
     end
 
@@ -265,13 +264,14 @@ module rt_lights #(
     wire [WD-1:0]        whole = {{(WD-W){part[W]}}, part[W:1]};
     wire [WD-1:0]        way   = own_pos_q + ~whole + {{(WD-1){1'b0}}, !part[0]};
     always @(posedge clk) begin
-        pos_q       <= pos;
-        shift_q     <= shift;
-        own_q       <= turn_q == 2'd1 ? v_point[0 +: W]
-                       : turn_q == 2'd2 ? v_point[W +: W] : v_point[2*W +: W];
-        own_pos_q   <= pos_q;
-        own_shift_q <= shift_q;
-        vec_q       <= {way, vec_q[3*WD-1:WD]};
+        if (a_valid || |go_q[2:1]) {pos_q, shift_q} <= {pos, shift};
+        if (|go_q[3:1]) begin
+            own_q       <= turn_q == 2'd1 ? v_point[0 +: W]
+                           : turn_q == 2'd2 ? v_point[W +: W] : v_point[2*W +: W];
+            own_pos_q   <= pos_q;
+            own_shift_q <= shift_q;
+        end
+        if (|go_q[4:2]) vec_q <= {way, vec_q[3*WD-1:WD]};
     end
     assign vec_o = vec_q;
     wire unused = &{1'b0, s_in, l_in, t_in, a_part, k_part, light_data_i,

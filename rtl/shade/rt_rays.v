@@ -122,7 +122,7 @@ module rt_rays #(
         .wr_data_i(hit_i[`RT_HIT_FAR]),
         .rd_addr_i(a_slot), .rd_data_o(a_far)
     );
-    wire             a_go = a_read_q && !r_valid_q && !bent;
+    wire             a_go = a_read_q && !r_valid_q;   // with a result bend_ready is low
     assign a_take = a_go && bend_ready;
     always @(posedge clk) begin
         a_read_q <= a_valid && !a_take;

@@ -76,9 +76,12 @@ module rt_reflect #(
     wire signed [WD:0]   dn = $signed(lo_q ? {1'b0, s2_dn_q[WD-1:0]} : s2_dn_q[PW-1:WD]);
     always @(posedge clk) begin
         lo_q   <= lo_next;
-        by_q   <= take || |ph_q[2:1] ? $signed({nrm_next[WD-1], nrm_next}) : nn;
-        s1_a_q <= dir_x_q * by_q;
-        s1_b_q <= nrm_x_q * dn;
+        if (in_valid_i || |ph_q[9:1])
+            by_q <= take || |ph_q[2:1] ? $signed({nrm_next[WD-1], nrm_next}) : nn;
+        if (|ph_q[10:1]) begin
+            s1_a_q <= dir_x_q * by_q;
+            s1_b_q <= nrm_x_q * dn;
+        end
     end
 
     // ---- stage 2, cycles 2 to 4: dn; cycles 6 to 11: dir*nn - 2*n*dn by halves ----
@@ -86,13 +89,14 @@ module rt_reflect #(
     wire signed [PW-1:0] s2_old = ph_q[2] ? {PW{1'b0}} : s2_dn_q;
     always @(posedge clk) begin
         if (|ph_q[4:2]) s2_dn_q <= s2_old + s1_a_q;
-        s2_diff_q <= $signed({s1_a_q[PW-1], s1_a_q}) - $signed({s1_b_q, 1'b0});
+        if (|ph_q[11:6])
+            s2_diff_q <= $signed({s1_a_q[PW-1], s1_a_q}) - $signed({s1_b_q, 1'b0});
     end
 
     // ---- stage 3, cycles 7 to 12: join the halves ----
     reg  signed [DW-1:0] s3_hi_q;
     reg  signed [VW-1:0] s4_v_q;
-    always @(posedge clk) begin
+    always @(posedge clk) if (|ph_q[12:7]) begin
         s3_hi_q <= s2_diff_q;
         s4_v_q  <= $signed({s3_hi_q[VW-WD-1:0], {WD{1'b0}}})
                  + $signed({{(VW-DW){s2_diff_q[DW-1]}}, s2_diff_q});

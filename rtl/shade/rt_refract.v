@@ -144,18 +144,20 @@ module rt_refract #(
     wire signed [XW-1:0]  w_along = {{(XW-LW){along_q[LW-1]}}, along_q};
     wire signed [13:0]    less = $signed({2'b00, to_q}) - $signed({2'b00, from_q});
     wire [13:0]           more = {2'b00, to_q} + {2'b00, from_q};
-    reg  signed [RW:0]    r;
+    wire [3:0]            op_next = state_q == SHIFT ? O_B : state_q == ROOT ? O_X : op_q + 4'd1;
+    reg  signed [RW:0]    r, r_next_q;     // of the next product; of that which is loaded
     always @*
-        case (op_q)
+        case (op_next)
             O_PB, O_PN: r = {{(RW-11){1'b0}}, from_q};
             O_AN:     r = {{(RW+1-2*WD){1'b0}}, nn_q};
             O_LESS:   r = {{(RW-13){less[13]}}, less};
             O_MORE:   r = {{(RW-13){1'b0}}, more};
             O_SQUARE: r = {{(RW+1-BW){pb_q[BW-1]}}, pb_q};
-            default:  r = op_q >= O_X && !op_q[0] ? {{(RW-WD){dx_q[WD]}}, dx_q}
+            default:  r = op_next >= O_X && !op_next[0] ? {{(RW-WD){dx_q[WD]}}, dx_q}
                           : {{(RW-WD){nx_q[WD]}}, nx_q};
         endcase
-    wire signed [RW:0]    r_less = -r;
+    always @(posedge clk) r_next_q <= r;
+    wire signed [RW:0]    r_less = -r_next_q;
     always @(posedge clk) begin
         if (state_q == RUN) begin
             clear_q <= 1'b0;
@@ -174,8 +176,8 @@ module rt_refract #(
                 default:  m_q <= op_q < O_PB ? w_dx : op_q[0] ? w_along
                                  : {{(XW-2*WD-12){1'b0}}, pn_q};
             endcase
-            r_q     <= r[RW] ? r_less[RW-1:0] : r[RW-1:0];
-            minus_q <= r[RW] ^ (op_q >= O_X && op_q[0]);
+            r_q     <= r_next_q[RW] ? r_less[RW-1:0] : r_next_q[RW-1:0];
+            minus_q <= r_next_q[RW] ^ (op_q >= O_X && op_q[0]);
             case (op_q)
                 O_PB, O_PN, O_LESS, O_MORE: left_q <= D_IDX[CW-1:0];
                 O_AN:     left_q <= D_NN[CW-1:0];
@@ -213,12 +215,12 @@ module rt_refract #(
     // ---- root ----
     wire [RB-1:0] root;
     wire [5:0]    zeros;
-    wire          root_in, inexact;
+    wire          root_in, inexact, root_tag;
     rt_isqrt #(.XW(QW), .STEP(STEP), .BITS(PR)) u_isqrt (
         .clk(clk), .rst(rst), .in_valid_i(state_q == TEST && !total),
-        .in_ready_o(root_in), .in_x_i(acc_q[2*S +: QW]),
-        .out_valid_o(root_valid), .out_ready_i(1'b1), .out_root_o(root), .out_shift_o(zeros),
-        .out_inexact_o(inexact)
+        .in_ready_o(root_in), .in_x_i(acc_q[2*S +: QW]), .in_tag_i(1'b0),
+        .out_valid_o(root_valid), .out_root_o(root), .out_shift_o(zeros),
+        .out_inexact_o(inexact), .out_tag_o(root_tag)
     );
     wire [LW-1:0] root_long = {{(LW-RB-S){1'b0}}, root, {S{1'b0}}} << zeros;
     always @(posedge clk)
@@ -240,6 +242,6 @@ module rt_refract #(
     // for benches: {turned away, taken, clocks of work}
     wire [7:0] work_refracted_directions /* verilator public_flat_rd */ =
         {in_valid_i && !in_ready_o, take, 5'd0, take || !in_ready_o};
-    wire unused = &{1'b0, root_in, inexact, r_less[RW], row};
+    wire unused = &{1'b0, root_in, inexact, root_tag, r_less[RW], row};
 endmodule
 `default_nettype wire

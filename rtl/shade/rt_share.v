@@ -50,12 +50,14 @@ module rt_share #(
 );
     // ---- control: ph_q[n] n cycles after the surface was taken ----
     reg  [12:1]    ph_q;
+    reg            ready_q;                // none of ph_q[11:1]
     wire           take = in_valid_i && in_ready_o;
-    assign in_ready_o  = ~|ph_q[11:1];
+    assign in_ready_o  = ready_q;
     assign out_valid_o = ph_q[12];
     always @(posedge clk) begin
-        ph_q <= {ph_q[11:1], take};
-        if (rst) ph_q <= 12'd0;
+        ph_q    <= {ph_q[11:1], take};
+        ready_q <= ~|ph_q[10:1] && !take;
+        if (rst) {ready_q, ph_q} <= {1'b1, 12'd0};
     end
 
     // ---- input ----
@@ -84,12 +86,19 @@ module rt_share #(
         end
     assign out_tag_o = tag_q;
 
-    // ---- shares of the weight ----
-    wire [9:0]     both  = {1'b0, out_light_mirror_o ? 9'd0 : kr_q}
-                         + {1'b0, out_light_refract_o ? 9'd0 : kt_q};
-    wire           all   = both >= 10'd256;
-    wire [8:0]     total = all ? 9'd256 : both[8:0];
-    wire [8:0]     own   = sum_q ? 9'd256 : 9'd256 - total;
+    // ---- shares of the weight: both rays, and own of either, are there before one is chosen ----
+    wire [9:0]     both  = {1'b0, kr_q} + {1'b0, kt_q};
+    reg  [8:0]     both_q, own_q, own_kr_q, own_kt_q;
+    always @(posedge clk) begin
+        both_q   <= both >= 10'd256 ? 9'd256 : both[8:0];
+        own_q    <= sum_q ? 9'd256 : 9'd256 - both_q;
+        own_kr_q <= sum_q ? 9'd256 : kr_q[8] ? 9'd0 : 9'd256 - kr_q;
+        own_kt_q <= sum_q ? 9'd256 : kt_q[8] ? 9'd0 : 9'd256 - kt_q;
+    end
+    wire [8:0]     total = out_light_mirror_o ? out_light_refract_o ? 9'd0 : kt_q
+                                              : out_light_refract_o ? kr_q : both_q;
+    wire [8:0]     own   = out_light_mirror_o ? out_light_refract_o ? 9'd256 : own_kt_q
+                                              : out_light_refract_o ? own_kr_q : own_q;
     wire [50:0]    product;                // round(product / 2^8) of each channel
     always @(posedge clk) begin
         if (ph_q[6]) begin
@@ -111,7 +120,8 @@ module rt_share #(
             // ---- operands, product ----
             wire [8:0]  part = c == 2 ? kt_q : kr_q;
             wire [8:0]  rest = c == 0 ? own : total;  // own share of the weight, in cycle 9
-            wire        over = ph_q[1] && ka_q[8] || ph_q[2] && kd_q[8] || ph_q[4] && part[8];
+            wire        over = ph_q[1] && ka_q[8] || ph_q[2] && kd_q[8] || ph_q[4] && part[8] ||
+                               ph_q[7] && rest[8];
             reg  [16:0] a_q, b_q;
             reg  [33:0] p_q;
             always @(posedge clk) begin

@@ -4,8 +4,8 @@
 // Between rt_surface and rt_setup: the normal of a triangle with a record of normals waits for it,
 // any other goes by in the same clock. The facet's own normal and its square leave beside.
 //   surface --> queue --> fetch, with that of rt_surface --> queue --> one multiplier --> normalise
-//   operands | difference | product | sum of three | shift | shift | add, turn | normalise
-// A normal every 21 clocks, 28 clocks behind its record. One that is zero stays the facet's own.
+//   operands | difference | product | sum of three | shift | shift | add | turn | normalise
+// A normal every 21 clocks, 29 clocks behind its record. One that is zero stays the facet's own.
 // Model: sph_smooth_normal() in cmodel/shade/surface.c, sph_surface_bend() in surface.c
 `timescale 1ns / 1ps
 `default_nettype none
@@ -216,17 +216,16 @@ module rt_smooth #(
         if (rst) {s0_last_q, s1_last_q, s2_last_q, s3_last_q} <= 4'd0;
     end
 
-    // ---- stages 4 and 5: shift, a bit kept to round; stage 6: add, limit, turn ----
+    // ---- stages 4 and 5: shift, a bit kept to round; stage 6: add; stage 7: limit, turn ----
     wire [5:0]           e = e_q;
-    reg                  s4_last_q, s5_last_q;
-    reg  signed [SW:0]   s4_q, s5_q;
+    reg                  s4_last_q, s5_last_q, s6_last_q;
+    reg  signed [SW:0]   s4_q, s5_q, s6_q;
     reg  [3*NB-1:0]      n_q;                 // of the row that is next in stage 6
-    wire signed [SW:0]   s5_half = s5_q + 1'b1;
-    wire signed [SW:0]   s5_n = {{(SW+1-NB){n_q[NB-1]}}, n_q[NB-1:0]};
-    wire signed [SW:0]   s5_sum = $signed({s5_half[SW], s5_half[SW:1]}) + s5_n;
-    wire                 s5_over = s5_sum[SW:VB-1] != {(SW-VB+2){s5_sum[SW]}};
-    wire signed [VB:0]   s5_v = s5_over ? $signed({{2{s5_sum[SW]}}, {(VB-1){!s5_sum[SW]}}})
-                                        : $signed(s5_sum[VB:0]);
+    wire        [SW:0]   s5_n = {{(SW+1-NB){n_q[NB-1]}}, n_q[NB-1:0]};
+    wire        [SW+1:0] s5_sum = {s5_q[SW], s5_q[SW:1], 1'b1} + {s5_n, s5_q[0]};  // half up
+    wire                 s6_over = s6_q[SW:VB-1] != {(SW-VB+2){s6_q[SW]}};
+    wire signed [VB:0]   s6_v = s6_over ? $signed({{2{s6_q[SW]}}, {(VB-1){!s6_q[SW]}}})
+                                        : $signed(s6_q[VB:0]);
     reg  [3*(VB+1)-1:0]  v_q;                 // {z, y, x}
     reg  [1:0]           rows_q;
     reg                  all_q;               // z is in
@@ -237,11 +236,13 @@ module rt_smooth #(
         s5_q      <= s4_q >>> e[2:0];
         if (r_take)         n_q <= r[`RT_SMOOTH_N_X_LSB +: 3*NB];
         else if (s5_last_q) n_q <= n_q >> NB;
-        if (s5_last_q) v_q <= {far_q ? -s5_v : s5_v, v_q[3*(VB+1)-1:VB+1]};
+        s6_last_q <= s5_last_q;
+        s6_q      <= s5_sum[SW+1:1];
+        if (s6_last_q) v_q <= {far_q ? -s6_v : s6_v, v_q[3*(VB+1)-1:VB+1]};
         if (r_take)         rows_q <= 2'd0;
-        else if (s5_last_q) rows_q <= rows_q + 2'd1;
-        all_q <= s5_last_q && rows_q == 2'd2;
-        if (rst) {s4_last_q, s5_last_q, all_q} <= 3'd0;
+        else if (s6_last_q) rows_q <= rows_q + 2'd1;
+        all_q <= s6_last_q && rows_q == 2'd2;
+        if (rst) {s4_last_q, s5_last_q, s6_last_q, all_q} <= 4'd0;
     end
 
     // ---- to normalisation in three clocks, out 7 clocks behind the third ----
@@ -265,7 +266,7 @@ module rt_smooth #(
     wire [3*WD-1:0]      n_normal;
     wire                 in_direct = in_valid && !in_bent;
     wire                 o_go = o_wait_q && !in_direct;
-    assign done = feed_q[0];
+    assign done = all_q;
     always @(posedge clk) begin
         feed_q <= {feed_q[1:0], all_q};
         if (all_q) {z_q, y_q, x_q} <= feed_v;
@@ -298,6 +299,6 @@ module rt_smooth #(
     // for benches: {turned away, taken, clocks of work}
     wire [7:0] work_interpolated_normals /* verilator public_flat_rd */ =
         {r_read_q && busy_q, r_take, 5'd0, r_take || busy_q};
-    wire unused = &{1'b0, regs_i, material_i, hit_i, surface_i, f_in, m_line, s5_half, r};
+    wire unused = &{1'b0, regs_i, material_i, hit_i, surface_i, f_in, m_line, s5_sum[0], r};
 endmodule
 `default_nettype wire

@@ -90,21 +90,22 @@ module rt_longitude #(
     wire               up = !y_q[27];
     wire signed [27:0] dx = y_q >>> step_q, dy = x_q >>> step_q;
     wire signed [24:0] turn = zero_q ? 25'sd0 : sum_q;
+    // one sum each, with what is taken away as its complement
+    wire [28:0] x_next   = {x_q, 1'b1} + {dx ^ {28{!up}}, !up};
+    wire [28:0] y_next   = {y_q, 1'b1} + {dy ^ {28{up}}, up};
+    wire [25:0] sum_next = {sum_q, 1'b1} + {{3'd0, angle} ^ {25{!up}}, !up};
+    // what begins a rotation: of the first, a vector; of the second, the distance that x has
+    wire signed [27:0] y_new = !take ? y_gain : back ? -in_x : in_x;
     always @(posedge clk) if (moves) begin
-        x_q   <= up ? x_q + dx : x_q - dx;
-        y_q   <= up ? y_q - dy : y_q + dy;
-        sum_q <= up ? sum_q + $signed({3'd0, angle}) : sum_q - $signed({3'd0, angle});
-        if (last) begin                    // of the first rotation: x is the distance
-            x_q      <= x_q;
-            y_q      <= y_gain;
-            sum_q    <= 25'sd0;
+        if (take)       x_q <= back ? -in_z : in_z;
+        else if (!last) x_q <= x_next[28:1];
+        y_q   <= take || last ? y_new : y_next[28:1];
+        sum_q <= take || last ? 25'sd0 : sum_next[25:1];
+        if (last) begin
             zero_q   <= x_q == 28'sd0 && y_gain == 28'sd0;
             if (!second_q) around_q <= around_q + turn[23:0];
         end
         if (take) begin
-            x_q      <= back ? -in_z : in_z;
-            y_q      <= back ? -in_x : in_x;
-            sum_q    <= 25'sd0;
             zero_q   <= in_x_i == 19'sd0 && in_z_i == 19'sd0;
             around_q <= {!back, 23'd0};
             tag_q    <= in_tag_i;
@@ -119,6 +120,7 @@ module rt_longitude #(
         out_around_o <= around_q[23:6] + {17'd0, around_q[5]};
         out_down_o   <= limited[23:6] + {17'd0, limited[5]};
     end
-    wire unused = &{1'b0, y_prod_q[8:0], around_q[4:0], limited[4:0], turn[24]};
+    wire unused = &{1'b0, y_prod_q[8:0], around_q[4:0], limited[4:0], turn[24], x_next[0],
+                    y_next[0], sum_next[0]};
 endmodule
 `default_nettype wire

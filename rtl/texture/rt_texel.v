@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // One level after the other, four texels each (or the nearest one alone); tiles of 4 x 2 texels, a
 // line each, row by row. One multiplier:
-//   at * size, s and t | texels, weights | row of tiles, y0 and y1 | four requests
+//   at * size, t and s | texels, weights | row of tiles, y0 and y1 | four requests
+// The product of a coordinate takes two clocks, its lower and its upper factor apart; that of a row
+// takes one.
 // A level is made ready in 6 clocks while the requests of the one before are sent, so that a hit
 // takes 6 clocks a level, and one.
 // Model: sph_axis_at() in cmodel/texture/texel.c, sph_texel_word() in
@@ -92,7 +94,7 @@ module rt_texel #(
     end
 
     // ---- the fraction of a coordinate times the size ----
-    wire             t_turn  = step_q == 3'd1;           // the operands of t enter
+    wire             t_turn  = step_q == 3'd0;           // the operands of t enter, then those of s
     // ---- and the row of tiles of a texel: y / 2 * tiles ----
     wire [10:0]      tiles   = {1'b0, w_q[11:2]} + 11'd1;         // (w + 3) / 4
     reg  [11:0]      y0_q, y1_q, x0_q, x1_q;
@@ -100,8 +102,14 @@ module rt_texel #(
     wire [10:0]      pair    = step_q == 3'd3 ? y0_q[11:1] : y1_q[11:1];
     wire [19:0]      a       = row_turn ? {9'd0, pair} : t_turn ? t_q : s_q;
     wire [12:0]      b       = row_turn ? {2'd0, tiles} : t_turn ? size_h_q : size_w_q;
-    reg  [32:0]      prod_q;                             // one clock after its operands
-    always @(posedge clk) prod_q <= a * b;
+    reg  [29:0]      low_q;                              // one clock after its operands
+    reg  [15:0]      up_q;
+    reg  [32:0]      prod_q;                             // two clocks after them
+    always @(posedge clk) begin
+        low_q  <= a[16:0] * b;
+        up_q   <= a[19:17] * b;
+        prod_q <= {3'd0, low_q} + {up_q, 17'd0};
+    end
 
     // ---- texels and weight of an axis ----
     wire             t_done  = step_q == 3'd2;           // the product of t is there
@@ -115,10 +123,10 @@ module rt_texel #(
     wire [11:0]      second  = high <= {1'b0, last} ? high[11:0] : stay ? last : 12'd0;
     reg  [31:0]      weights_q;
     wire [7:0]       weight  = nearest_q ? 8'd0 : middle[7:0];
-    reg  [21:0]      row0_q;                             // y / 2 * tiles; that of y1 is prod_q
+    reg  [21:0]      row0_q;                             // y / 2 * tiles; that of y1 is low_q
     always @(posedge clk) begin
         case (step_q)
-            3'd1: begin
+            3'd3: begin
                 x0_q <= nearest_q ? place[19:8] : first;
                 x1_q <= second;
                 if (second_q) weights_q[23:16] <= weight; else weights_q[7:0] <= weight;
@@ -128,7 +136,7 @@ module rt_texel #(
                 y1_q <= second;
                 if (second_q) weights_q[31:24] <= weight; else weights_q[15:8] <= weight;
             end
-            3'd4: row0_q <= prod_q[21:0];
+            3'd4: row0_q <= low_q[21:0];
             default: ;
         endcase
         if (take) weights_q <= 32'd0;
@@ -152,7 +160,7 @@ module rt_texel #(
         if (ready) begin
             {r_tag_q, r_nearest_q, r_second_q, r_more_q} <= {tag_q, nearest_q, second_q, more};
             {r_x0_q, r_x1_q, r_odd0_q, r_odd1_q} <= {x0_q, x1_q, y0_q[0], y1_q[0]};
-            {r_row0_q, r_row1_q, r_line_q} <= {row0_q, prod_q[21:0], line_q};
+            {r_row0_q, r_row1_q, r_line_q} <= {row0_q, low_q[21:0], line_q};
             r_weights_q <= weights_q;
             corner_q <= 2'd0;
         end else if (r_valid_q && req_ready_i) begin

@@ -127,15 +127,24 @@ module rt_texture #(
                               : {1'b0, image_valid ? image_line : map_line};
     wire [TAG-2:0]   what   = texel_valid ? {texel_slot, TEXEL, texel_index, texel_word}
                               : image_valid ? {image_slot, IMAGE, 6'd0} : {map_slot, MAP, 6'd0};
-    // The choice stands in a register, then its line is compared with the end of memory.
-    wire             ask, taken;               // by the cache
-    wire [TAG-2:0]   asked;
-    wire [`RT_LINE_BITS:0] asked_line;
-    wire             beyond = asked_line >= {1'b0, mem_lines};
-    rt_reg_slice #(.WIDTH(TAG - 1 + `RT_LINE_BITS + 1)) u_ask (
-        .clk(clk), .rst(rst), .in_valid_i(texel_valid || image_valid || map_valid),
+    // The choice stands in a queue, whose room is a register; then its line is compared with the
+    // end of memory, and what came out stands in a register.
+    wire             chosen, next, ask, taken; // taken by the cache
+    wire [TAG-2:0]   chosen_what;
+    wire [TAG-1:0]   asked;
+    wire [`RT_LINE_BITS:0] chosen_line;
+    wire [`RT_LINE_BITS-1:0] ask_line;
+    wire             beyond = chosen_line >= {1'b0, mem_lines};
+    rt_fifo #(.WIDTH(TAG - 1 + `RT_LINE_BITS + 1), .DEPTH(2)) u_choice (
+        .clk(clk), .rst(rst), .in_valid_i((texel_valid || image_valid || map_valid) && ready),
         .in_ready_o(ready), .in_data_i({what, line}),
-        .out_valid_o(ask), .out_ready_i(taken), .out_data_o({asked, asked_line})
+        .out_valid_o(chosen), .out_ready_i(next), .out_data_o({chosen_what, chosen_line})
+    );
+    rt_reg_slice #(.WIDTH(TAG + `RT_LINE_BITS)) u_ask (
+        .clk(clk), .rst(rst), .in_valid_i(chosen), .in_ready_o(next),
+        .in_data_i({chosen_what, beyond,
+                    beyond ? {`RT_LINE_BITS{1'b0}} : chosen_line[`RT_LINE_BITS-1:0]}),
+        .out_valid_o(ask), .out_ready_i(taken), .out_data_o({asked, ask_line})
     );
     wire             come, lost, come_error;
     wire [1:0]       kind;
@@ -143,13 +152,11 @@ module rt_texture #(
     assign texel_ready = ready;
     assign image_ready = ready && !texel_valid;
     assign map_ready   = ready && !texel_valid && !image_valid;
-    wire [`RT_LINE_BITS-1:0] ask_line = beyond ? {`RT_LINE_BITS{1'b0}}
-                                             : asked_line[`RT_LINE_BITS-1:0];
     rt_cache #(.TAG(TAG), .LINES(LINES), .WAYS(WAYS), .GROUP(GROUP), .PENDING(SLOTS),
                .LINE_BITS(LINE_BITS)) u_cache (
         .clk(clk), .rst(rst), .flush_i(flush_i), .mem_lines_i(mem_lines), .miss_o(miss_o),
         .req_valid_i(ask), .req_ready_o(taken), .req_line_i(ask_line),
-        .req_tag_i({asked, beyond}),
+        .req_tag_i(asked),
         .rsp_valid_o(come), .rsp_ready_i(1'b1), .rsp_data_o(data),
         .rsp_tag_o({slot, kind, index, word, lost}), .rsp_error_o(come_error),
         .mem_req_valid_o(mem_req_valid_o), .mem_req_ready_i(mem_req_ready_i),
@@ -162,7 +169,7 @@ module rt_texture #(
     // for benches: the cache's shape, and what it is asked
     wire [31:0] cache_shape /* verilator public_flat_rd */ = {LINES[15:0], WAYS[7:0], GROUP[7:0]};
     wire [31:0] cache_asked /* verilator public_flat_rd */ =
-        {3'd0, ask, taken, asked[7:6] == TEXEL, ask_line};
+        {3'd0, ask, taken, asked[8:7] == TEXEL, ask_line};
 
     // ---- a line came ----
     reg              r_map_q, r_texel_q, r_lost_q;

@@ -55,10 +55,11 @@ module rt_texture_image #(
     wire [3:0]       levels = r_image_q[`RT_IMAGE_LEVELS_LSB +: 4];
     wire             r_none = void_i || levels == 4'd0 || levels > `RT_TEXTURE_LEVELS;
     wire [11:0]      most   = {levels - 4'd1, 8'd0};
-    wire [11:0]      fine   = lod_i > most ? most : lod_i;
+    wire             coarsest = lod_i > most;
     wire [11:0]      half   = 12'd1 << COARSE >> 1;
-    wire [11:0]      lod    = (fine + half) >> COARSE << COARSE;
-    wire [12:0]      near   = {1'b0, lod} + 13'd128;
+    wire [11:0]      fine   = (lod_i + half) >> COARSE << COARSE;  // at most most, if lod_i is
+    wire [11:0]      lod    = coarsest ? most : fine;
+    wire [3:0]       near   = coarsest ? most[11:8] : fine[11:8] + {3'd0, fine[7]};
     assign none_o = r_valid_q && r_none;
     always @(posedge clk) begin
         r_valid_q <= image_valid_i;
@@ -90,7 +91,7 @@ module rt_texture_image #(
         l_slot_q  <= r_slot_q;
         l_image_q <= r_image_q;
         l_lod_q   <= lod;
-        l_level_q <= filter_i == LEVEL ? near[11:8] : filter_i == BETWEEN ? lod[11:8] : 4'd0;
+        l_level_q <= filter_i == LEVEL ? near : filter_i == BETWEEN ? lod[11:8] : 4'd0;
         l_far_q   <= filter_i == BETWEEN ? lod[7:0] : 8'd0;
         l_line_q  <= {1'b0, line_i} + 1'b1;
         if (rst) l_valid_q <= 1'b0;
@@ -146,6 +147,8 @@ module rt_texture_image #(
 
     // ---- the word: read before the first request of a level ----
     reg [SLOTS-1:0]  known_q;                // the pixel has one
+    reg              fresh_q;
+    reg [SLOTW-1:0]  fresh_slot_q;
     reg [19:0]       sum_q;                  // of the job so far
     reg [11:0]       lod_q;
     reg              old_known_q, word_known_q;
@@ -176,13 +179,15 @@ module rt_texture_image #(
         last_q      <= t_last;
         last_slot_q <= texel_slot_o;
         mix_q       <= {t_far, t_weights};
-        if (fresh_valid_i) known_q[fresh_slot_i] <= 1'b0;
+        fresh_q      <= fresh_valid_i;
+        fresh_slot_q <= fresh_slot_i;
+        if (fresh_q) known_q[fresh_slot_q] <= 1'b0;
         if (last_q) known_q[last_slot_q] <= 1'b1;
         if (word_read_i) word_known_q <= known_q[word_slot_i];
-        if (rst) last_q <= 1'b0;
+        if (rst) {last_q, fresh_q} <= 2'd0;
     end
     assign word_o = word_known_q ? word : {12'd`RT_LOD_NONE, 20'd0};
-    wire unused = &{1'b0, j_in, image_i[255:248], near[12], near[7:0], l_image_q, r_image_q,
+    wire unused = &{1'b0, j_in, image_i[255:248], l_image_q, r_image_q,
                     t_tag[19:0]};
 endmodule
 `default_nettype wire

@@ -3,7 +3,8 @@
 // One write and one read at a time; addresses and data of a write may come in any order. A strobe
 // that is low leaves its byte as it is. An offset without a register is answered with SLVERR and
 // does nothing. Accesses to registers of the machine wait while rt_machine is busy, those to
-// counters while a snapshot is taken. The list of registers: cmodel/machine/top.def
+// counters while a snapshot is taken. What an address selects is in registers a clock behind it,
+// and a word of theirs a clock behind that. The list of registers: cmodel/machine/top.def
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
@@ -65,61 +66,86 @@ module rt_control #(
     localparam [6:0] REGS = `RT_N_REGS;
     localparam [11:0] COUNTERS_END = `RT_TOP_COUNTERS + 8*`RT_TOP_COUNTS;
 
+    // ---- what an address selects: {a register of rt_machine or rt_totals, others, settings} ----
+    localparam IS = 1 + OTHERS + ALL;
+    function at_machine(input [11:2] at);
+        at_machine = {at, 2'd0} >= `RT_TOP_MACHINE && {at, 2'd0} < `RT_TOP_COUNTERS;
+    endfunction
+    function at_count(input [11:2] at);
+        at_count = {at, 2'd0} >= `RT_TOP_COUNTERS && {at, 2'd0} < COUNTERS_END;
+    endfunction
+    function [IS-1:0] selected(input [11:2] at);
+        integer n;
+        begin
+            for (n = 0; n < ALL; n = n + 1)
+                selected[n] = THERE[n] && {at, 2'd0} == AT[12*n +: 12];
+            for (n = 0; n < OTHERS; n = n + 1)
+                selected[ALL+n] = {at, 2'd0} == OTHERS_AT[12*n +: 12];
+            selected[IS-1] = at_count(at) || (at_machine(at) && at[8:2] < REGS);
+        end
+    endfunction
+
     // ---- a write: address and data are kept until both are there and it can be done ----
-    reg         aw_full_q, w_full_q;
+    reg         aw_full_q, w_full_q, aw_seen_q;    // seen: what is selected stands below
     reg  [11:2] aw_q;
     reg  [31:0] w_q;
     reg  [3:0]  strobe_q;
-    wire [11:0] w_addr = {aw_q, 2'd0};
-    wire        aw_machine = w_addr >= `RT_TOP_MACHINE && w_addr < `RT_TOP_COUNTERS;
-    wire        aw_count   = w_addr >= `RT_TOP_COUNTERS && w_addr < COUNTERS_END;
-    wire        write = aw_full_q && w_full_q && !s_bvalid && !(aw_machine && machine_busy_i);
+    reg  [IS-1:0] aw_is_q;
+    reg         aw_machine_q, aw_control_q, aw_errors_q, aw_interrupts_q;
+    wire        write = aw_seen_q && w_full_q && !s_bvalid && !(aw_machine_q && machine_busy_i);
     wire [31:0] keep  = {{8{strobe_q[3]}}, {8{strobe_q[2]}}, {8{strobe_q[1]}}, {8{strobe_q[0]}}};
     wire [31:0] ones  = w_q & keep;                // of registers that act on a one
     assign s_awready  = !aw_full_q;
     assign s_wready   = !w_full_q;
-    reg  [31:0] read_value;
-    reg  [1:0]  known;                             // {read, write}: there is such a register
     always @(posedge clk) begin
         if (s_awready) {aw_full_q, aw_q} <= {s_awvalid, s_awaddr[11:2]};
         if (s_wready)  {w_full_q, w_q, strobe_q} <= {s_wvalid, s_wdata, s_wstrb};
+        aw_seen_q       <= aw_full_q && !write;
+        aw_is_q         <= selected(aw_q);
+        aw_machine_q    <= at_machine(aw_q);
+        aw_control_q    <= {aw_q, 2'd0} == `RT_TOP_CONTROL;
+        aw_errors_q     <= {aw_q, 2'd0} == `RT_TOP_ERRORS;
+        aw_interrupts_q <= {aw_q, 2'd0} == `RT_TOP_INTERRUPTS;
         if (s_bready)  s_bvalid <= 1'b0;
         if (write) begin
             {aw_full_q, w_full_q} <= 2'd0;
             s_bvalid <= 1'b1;
-            s_bresp  <= known[0] ? 2'b00 : 2'b10;
+            s_bresp  <= |aw_is_q ? 2'b00 : 2'b10;
         end
-        if (rst) {aw_full_q, w_full_q, s_bvalid} <= 3'd0;
+        if (rst) {aw_full_q, w_full_q, aw_seen_q, s_bvalid} <= 4'd0;
     end
-    assign machine_write_o = write && aw_machine && aw_q[8:2] < REGS ? strobe_q : 4'd0;
+    assign machine_write_o = write && aw_machine_q && aw_is_q[IS-1] ? strobe_q : 4'd0;
     assign write_addr_o    = aw_q[8:2];
     assign write_data_o    = w_q;
     always @(posedge clk)              // from a register, as the answer: it reaches far
-        order_o <= write && w_addr == `RT_TOP_CONTROL && !rst ? ones[6:0] : 7'd0;
+        order_o <= write && aw_control_q && !rst ? ones[6:0] : 7'd0;
 
     // ---- a read: what others have comes through a register, a clock before the answer ----
-    reg         ar_full_q, ar_seen_q;
+    reg         ar_full_q, ar_seen_q, ar_free_q;   // free: elsewhere_q was read while it may be
     reg  [11:2] ar_q;
-    wire [11:0] r_addr = {ar_q, 2'd0};
-    wire        ar_machine = r_addr >= `RT_TOP_MACHINE && r_addr < `RT_TOP_COUNTERS;
-    wire        ar_count   = r_addr >= `RT_TOP_COUNTERS && r_addr < COUNTERS_END;
-    wire        ar_free = !(ar_machine && machine_busy_i) && !(ar_count && count_busy_i);
-    wire        read = ar_full_q && ar_seen_q && !s_rvalid && ar_free;
-    reg  [31:0] other_q;
+    reg  [IS-1:0] ar_is_q;
+    reg         ar_machine_q, ar_count_q;
+    wire        ar_free = !(ar_machine_q && machine_busy_i) && !(ar_count_q && count_busy_i);
+    wire        read = ar_free_q && !s_rvalid && ar_free;
+    reg  [31:0] elsewhere_q, read_value;
     assign s_arready   = !ar_full_q;
     assign read_addr_o = ar_q[8:2];
     always @(posedge clk) begin
         if (s_arready) {ar_full_q, ar_q} <= {s_arvalid, s_araddr[11:2]};
-        ar_seen_q <= ar_full_q && ar_free && !read;
-        other_q   <= ar_count ? count_data_i : machine_data_i;
+        ar_seen_q    <= ar_full_q && !read;
+        ar_free_q    <= ar_seen_q && ar_free && !read;
+        ar_is_q      <= selected(ar_q);
+        ar_machine_q <= at_machine(ar_q);
+        ar_count_q   <= at_count(ar_q);
+        elsewhere_q  <= ar_count_q ? count_data_i : machine_data_i;
         if (s_rready)  s_rvalid <= 1'b0;
         if (read) begin
             ar_full_q <= 1'b0;
             s_rvalid  <= 1'b1;
-            s_rdata   <= known[1] ? read_value : 32'd0;
-            s_rresp   <= known[1] ? 2'b00 : 2'b10;
+            s_rdata   <= read_value;
+            s_rresp   <= |ar_is_q ? 2'b00 : 2'b10;
         end
-        if (rst) {ar_full_q, ar_seen_q, s_rvalid} <= 3'd0;
+        if (rst) {ar_full_q, ar_seen_q, ar_free_q, s_rvalid} <= 4'd0;
     end
 
     // ---- settings: read-write registers, one behind the other ----
@@ -129,7 +155,7 @@ module rt_control #(
             if (THERE[i]) begin : g_there
                 reg [31:0] value_q;
                 always @(posedge clk) begin
-                    if (write && w_addr == AT[12*i +: 12])
+                    if (write && aw_is_q[i])
                         value_q <= ((value_q & ~keep) | ones) & KEPT[32*i +: 32];
                     if (rst) value_q <= RESET[32*i +: 32];
                 end
@@ -145,9 +171,9 @@ module rt_control #(
     reg  [3:0]  happened_q;
     reg  [31:0] frames_q;
     always @(posedge clk) begin
-        errors_q   <= (errors_q & ~(write && w_addr == `RT_TOP_ERRORS ? ones[15:0] : 16'd0)) |
+        errors_q   <= (errors_q & ~(write && aw_errors_q ? ones[15:0] : 16'd0)) |
                       errors_i;
-        happened_q <= (happened_q & ~(write && w_addr == `RT_TOP_INTERRUPTS ? ones[3:0] : 4'd0)) |
+        happened_q <= (happened_q & ~(write && aw_interrupts_q ? ones[3:0] : 4'd0)) |
                       {errors_i != 16'd0, happened_i};
         frames_q   <= frames_q + {31'd0, good_i};
         if (rst || order_o[`RT_TOP_CONTROL_SOFT_RESET]) begin
@@ -158,31 +184,29 @@ module rt_control #(
     end
     assign irq_o = (happened_q & settings_o[`RT_TOP_SET_INTERRUPT_ENABLE_SOURCES]) != 4'd0;
 
-    // ---- values ----
+    // ---- values: a register without a word of its own, and none, have 0 ----
+    reg  [31:0] word;
     integer k;
     always @* begin
-        known = {ar_count || (ar_machine && ar_q[8:2] < REGS),
-                 aw_count || (aw_machine && aw_q[8:2] < REGS)};
-        for (k = 0; k < OTHERS; k = k + 1)
-            known = known | {r_addr == OTHERS_AT[12*k +: 12], w_addr == OTHERS_AT[12*k +: 12]};
-        case (r_addr)
-            `RT_TOP_ID:           read_value = `RT_TOP_ID_RESET;
-            `RT_TOP_VERSION:      read_value = `RT_TOP_VERSION_RESET;
-            `RT_TOP_CORE_PROFILE: read_value = built_i[0 +: 32];
-            `RT_TOP_CORE_EFFECTS: read_value = built_i[32 +: 32];
-            `RT_TOP_CORE_PARTS:   read_value = built_i[64 +: 32];
-            `RT_TOP_CORE_BUS:     read_value = built_i[96 +: 32];
-            `RT_TOP_CONTROL:      read_value = 32'd0;
-            `RT_TOP_STATUS:       read_value = status_i;
-            `RT_TOP_FRAME_COUNT:  read_value = frames_q;
-            `RT_TOP_ERRORS:       read_value = {16'd0, errors_q};
-            `RT_TOP_INTERRUPTS:   read_value = {28'd0, happened_q};
-            default:              read_value = other_q;
-        endcase
-        for (k = 0; k < ALL; k = k + 1) if (THERE[k]) begin
-            known = known | {r_addr == AT[12*k +: 12], w_addr == AT[12*k +: 12]};
-            if (r_addr == AT[12*k +: 12]) read_value = settings_o[32*k +: 32];
+        read_value = ar_is_q[IS-1] ? elsewhere_q : 32'd0;
+        for (k = 0; k < OTHERS; k = k + 1) begin
+            case (OTHERS_AT[12*k +: 12])
+                `RT_TOP_ID:           word = `RT_TOP_ID_RESET;
+                `RT_TOP_VERSION:      word = `RT_TOP_VERSION_RESET;
+                `RT_TOP_CORE_PROFILE: word = built_i[0 +: 32];
+                `RT_TOP_CORE_EFFECTS: word = built_i[32 +: 32];
+                `RT_TOP_CORE_PARTS:   word = built_i[64 +: 32];
+                `RT_TOP_CORE_BUS:     word = built_i[96 +: 32];
+                `RT_TOP_STATUS:       word = status_i;
+                `RT_TOP_FRAME_COUNT:  word = frames_q;
+                `RT_TOP_ERRORS:       word = {16'd0, errors_q};
+                `RT_TOP_INTERRUPTS:   word = {28'd0, happened_q};
+                default:              word = 32'd0;
+            endcase
+            if (ar_is_q[ALL+k]) read_value = read_value | word;
         end
+        for (k = 0; k < ALL; k = k + 1)
+            if (ar_is_q[k]) read_value = read_value | settings_o[32*k +: 32];
     end
     assign busy_o = aw_full_q || w_full_q || s_bvalid || ar_full_q || s_rvalid;
     wire unused = &{1'b0, s_awaddr[1:0], s_araddr[1:0]};

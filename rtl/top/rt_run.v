@@ -58,6 +58,9 @@ module rt_run (
     reg  [2:0] state_q;
     reg        keep_q, bad_q;
     reg  [1:0] dead_q;                  // {write, read}
+    reg        empty_q;                 // pixels do not begin anew in FLUSH
+    reg        halt_q;                  // DRAIN, or reads are dead: reaches all of the core
+    wire [1:0] dead;                    // dead_q from the next clock on
     wire       anew   = order_i[`RT_TOP_CONTROL_SOFT_RESET];
     wire       stop   = anew || (order_i[`RT_TOP_CONTROL_STOP] && state_q != IDLE);
     wire       start  = order_i[`RT_TOP_CONTROL_START];
@@ -71,12 +74,14 @@ module rt_run (
             WAIT:    if (room_i)       state_q <= START;
             START:                     state_q <= DRAW;
             DRAW:    if (!core_busy_i) state_q <= FLUSH;
-            FLUSH:   if (write_empty_i || dead_q[1]) state_q <= END;
+            FLUSH:   if (empty_q || dead_q[1]) state_q <= END;
             END:                       state_q <= IDLE;
             DRAIN:   if (quiet)        state_q <= IDLE;
             default: if (accept)       state_q <= LOAD;
         endcase
+        empty_q <= write_empty_i;
         if (stop) state_q <= DRAIN;
+        halt_q <= !rst && (stop || (state_q == DRAIN && !quiet) || dead[0]);
         if (accept) keep_q <= order_i[`RT_TOP_CONTROL_KEEP_CACHE];
         if (rst) state_q <= IDLE;
     end
@@ -84,7 +89,7 @@ module rt_run (
     assign begin_o      = state_q == WAIT && room_i && !stop;
     assign core_start_o = state_q == START;
     assign core_keep_o  = keep_q;
-    assign core_rst_o   = rst || state_q == DRAIN || dead_q[0];
+    assign core_rst_o   = rst || halt_q;
     assign cut_o        = state_q == DRAIN;
     assign forget_o     = anew && order_i[`RT_TOP_CONTROL_FORGET];
     assign flush_o      = state_q == FLUSH;
@@ -101,16 +106,16 @@ module rt_run (
     reg         silent_q;               // of the display, told already
     wire        read_late  = limit_i != 32'd0 && read_q >= limit_i && !dead_q[0] && busy_o;
     wire        write_late = limit_i != 32'd0 && write_q >= limit_i && !dead_q[1] && busy_o;
+    assign      dead       = rst || forget_o || (state_q == DRAIN && quiet)
+                             ? 2'd0 : dead_q | {write_late, read_late};
     wire        scan_late  = limit_i != 32'd0 && scan_q >= limit_i && !silent_q;
     always @(posedge clk) begin
         read_q  <= read_stall_i ? read_q + {31'd0, !(&read_q)} : 32'd0;
         write_q <= write_stall_i ? write_q + {31'd0, !(&write_q)} : 32'd0;
         scan_q  <= scan_stall_i ? scan_q + {31'd0, !(&scan_q)} : 32'd0;
-        dead_q  <= dead_q | {write_late, read_late};
+        dead_q  <= dead;
         silent_q <= scan_stall_i && (silent_q || scan_late);
-        if (state_q == DRAIN && quiet) dead_q <= 2'd0;
         if (rst || forget_o) begin
-            dead_q  <= 2'd0;
             read_q  <= 32'd0;
             write_q <= 32'd0;
             scan_q  <= 32'd0;

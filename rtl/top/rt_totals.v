@@ -30,22 +30,32 @@ module rt_totals (
 );
     localparam OWN = `RT_TOP_COUNTS - 32;
     localparam [5:0] ALL = `RT_TOP_COUNTS;
+    // what happens reaches far: it is counted a clock later
+    reg  [1:0] read_q, write_q;
+    reg  [3:0] pixels_q;
+    reg        frame_q, clear_q, swap_q, again_q, lost_q, underrun_q;
+    always @(posedge clk) begin
+        {read_q, write_q, pixels_q} <= {read_i, write_i, pixels_i};
+        {frame_q, clear_q, swap_q, again_q, lost_q, underrun_q} <=
+            {frame_i, clear_i, swap_i, again_i, lost_i, underrun_i};
+        if (rst) {read_q, write_q, swap_q, again_q, lost_q, underrun_q} <= 8'd0;
+    end
     wire [4*OWN-1:0] add;               // to each counter
-    assign add[4*(`RT_TOP_COUNT_READ_BURSTS - 32) +: 4]  = {3'd0, read_i[0]};
-    assign add[4*(`RT_TOP_COUNT_READ_BEATS - 32) +: 4]   = {3'd0, read_i[1]};
-    assign add[4*(`RT_TOP_COUNT_WRITE_BURSTS - 32) +: 4] = {3'd0, write_i[0]};
-    assign add[4*(`RT_TOP_COUNT_WRITE_BEATS - 32) +: 4]  = {3'd0, write_i[1]};
-    assign add[4*(`RT_TOP_COUNT_WRITE_PIXELS - 32) +: 4] = write_i[0] ? pixels_i : 4'd0;
-    assign add[4*(`RT_TOP_COUNT_FRAMES_SHOWN - 32) +: 4] = {3'd0, swap_i};
-    assign add[4*(`RT_TOP_COUNT_FRAMES_AGAIN - 32) +: 4] = {3'd0, again_i};
-    assign add[4*(`RT_TOP_COUNT_FRAMES_LOST - 32) +: 4]  = {3'd0, lost_i};
-    assign add[4*(`RT_TOP_COUNT_UNDERRUNS - 32) +: 4]    = {3'd0, underrun_i};
+    assign add[4*(`RT_TOP_COUNT_READ_BURSTS - 32) +: 4]  = {3'd0, read_q[0]};
+    assign add[4*(`RT_TOP_COUNT_READ_BEATS - 32) +: 4]   = {3'd0, read_q[1]};
+    assign add[4*(`RT_TOP_COUNT_WRITE_BURSTS - 32) +: 4] = {3'd0, write_q[0]};
+    assign add[4*(`RT_TOP_COUNT_WRITE_BEATS - 32) +: 4]  = {3'd0, write_q[1]};
+    assign add[4*(`RT_TOP_COUNT_WRITE_PIXELS - 32) +: 4] = write_q[0] ? pixels_q : 4'd0;
+    assign add[4*(`RT_TOP_COUNT_FRAMES_SHOWN - 32) +: 4] = {3'd0, swap_q};
+    assign add[4*(`RT_TOP_COUNT_FRAMES_AGAIN - 32) +: 4] = {3'd0, again_q};
+    assign add[4*(`RT_TOP_COUNT_FRAMES_LOST - 32) +: 4]  = {3'd0, lost_q};
+    assign add[4*(`RT_TOP_COUNT_UNDERRUNS - 32) +: 4]    = {3'd0, underrun_q};
     reg  [32*OWN-1:0] total_q;
     integer i;
     always @(posedge clk)
         for (i = 0; i < OWN; i = i + 1) begin
             total_q[32*i +: 32] <= total_q[32*i +: 32] + {28'd0, add[4*i +: 4]};
-            if (rst || (i + 32 < `RT_TOP_COUNT_FRAMES_SHOWN ? frame_i : clear_i))
+            if (rst || (i + 32 < `RT_TOP_COUNT_FRAMES_SHOWN ? frame_q : clear_q))
                 total_q[32*i +: 32] <= 32'd0;
         end
 

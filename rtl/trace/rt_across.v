@@ -36,13 +36,17 @@ module rt_across #(
     reg [STAGES:1]       valid_q;
     reg [TAG-1:0]        tag_q;                      // of the ray that waits for its phase
     reg [STAGES*TAG-1:0] tags_q;
+    wire [STAGES:0]      live = {valid_q, wait_q};   // stages that hold a ray
+    integer              i;
     always @(posedge clk) begin
         phase_q <= !phase_q;
         wait_q  <= in_valid_i || (wait_q && !phase_q);
         if (in_valid_i) tag_q <= in_tag_i;
         if (phase_q) begin
-            valid_q <= {valid_q[STAGES-1:1], wait_q};
-            tags_q  <= {tags_q[(STAGES-1)*TAG-1:0], tag_q};
+            valid_q <= live[STAGES-1:0];
+            if (wait_q) tags_q[TAG-1:0] <= tag_q;
+            for (i = 1; i < STAGES; i = i + 1)
+                if (live[i]) tags_q[TAG*i +: TAG] <= tags_q[TAG*(i-1) +: TAG];
         end
         if (rst) begin
             phase_q <= 1'b0;
@@ -61,9 +65,12 @@ module rt_across #(
             mag0_q <= in_mag_i;
         end
         if (phase_q) begin
-            {u5_q, u4_q, u3_q, u2_q, u1_q} <= {u4_q, u3_q, u2_q, u1_q, u0_q};
-            least6_q <= u5_q[55:54];
-            mag1_q <= mag0_q;
+            if (live[0]) {u1_q, mag1_q} <= {u0_q, mag0_q};
+            if (live[1]) u2_q <= u1_q;
+            if (live[2]) u3_q <= u2_q;
+            if (live[3]) u4_q <= u3_q;
+            if (live[4]) u5_q <= u4_q;
+            if (live[5]) least6_q <= u5_q[55:54];
         end
     end
 

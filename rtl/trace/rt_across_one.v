@@ -3,7 +3,8 @@
 // The numbers of rt_across, with eight multipliers:
 //   1 u_m | 2 u_m^2 | 3 and 4 table | 5 slope | 6 r | 7 u_b*r, u_a*r | 8 p | 9 u_m*p, u*p |
 //   10 q_a, q_b, sum | 11 q_m
-// What is not a ray is not taken, so that nothing switches for it. Latency 11, a ray a clock.
+// A stage without a ray keeps what it has, so that nothing behind it switches.
+// Latency 11, a ray a clock.
 // Model: sph_across() in cmodel/trace/setup.c
 `timescale 1ns / 1ps
 `default_nettype none
@@ -28,12 +29,13 @@ module rt_across_one #(
     output reg signed [17:0] out_p_b_o,   // s0.17, negated
     output reg  [53:0]      out_q_o       // {z, y, x} s0.17
 );
-    rt_delay_valid #(.CYCLES(11)) u_valid (
-        .clk(clk), .rst(rst), .in_i(in_valid_i), .out_o(out_valid_o)
+    // ---- stages 1 to 10 that hold a ray; tag ----
+    reg  [10:1]             live_q;
+    rt_stages #(.WIDTH(TAG), .CYCLES(11)) u_tag (
+        .clk(clk), .rst(rst), .in_valid_i(in_valid_i), .in_i(in_tag_i),
+        .out_valid_o(out_valid_o), .out_o(out_tag_o)
     );
-    rt_delay #(.WIDTH(TAG), .CYCLES(11)) u_tag (
-        .clk(clk), .in_i(in_tag_i), .out_o(out_tag_o)
-    );
+    always @(posedge clk) live_q <= {live_q[9:1], in_valid_i};
 
     // ---- stage 1: {least, u_m, u_b, u_a}, which goes along ----
     reg  [15:0] s1_mag_q;                 // u0.16
@@ -54,16 +56,30 @@ module rt_across_one #(
             s1_mag_q <= in_mag_i;
             s1_u_q   <= {in_least_i, in_u_i};
         end
-        {s8_u_q, s7_u_q, s6_u_q, s5_u_q, s4_u_q, s3_u_q, s2_u_q} <=
-            {s7_u_q, s6_u_q, s5_u_q, s4_u_q, s3_u_q, s2_u_q, s1_u_q};
-        {s10_least_q, s9_least_q} <= {s9_least_q, s8_u_q[55:54]};
-        s2_square_q <= s1_mag_q * s1_mag_q;
-        s3_frac_q   <= x[9:0];
-        s4_frac_q   <= s3_frac_q;
-        s4_line_q   <= s3_line_q;
-        s5_slope_q  <= {10'd0, s4_line_q[27:17]} * {11'd0, s4_frac_q};
-        s5_start_q  <= s4_line_q[16:0] - 17'd`RT_ACROSS_SHORT;
-        s6_r_q      <= s5_start_q - {6'd0, s5_slope_q[20:10]};
+        if (live_q[1]) begin
+            s2_u_q      <= s1_u_q;
+            s2_square_q <= s1_mag_q * s1_mag_q;
+        end
+        if (live_q[2]) begin
+            s3_u_q      <= s2_u_q;
+            s3_frac_q   <= x[9:0];
+        end
+        if (live_q[3]) begin
+            s4_u_q      <= s3_u_q;
+            s4_frac_q   <= s3_frac_q;
+            s4_line_q   <= s3_line_q;
+        end
+        if (live_q[4]) begin
+            s5_u_q      <= s4_u_q;
+            s5_slope_q  <= {10'd0, s4_line_q[27:17]} * {11'd0, s4_frac_q};
+            s5_start_q  <= s4_line_q[16:0] - 17'd`RT_ACROSS_SHORT;
+        end
+        if (live_q[5]) begin
+            s6_u_q      <= s5_u_q;
+            s6_r_q      <= s5_start_q - {6'd0, s5_slope_q[20:10]};
+        end
+        if (live_q[6]) s7_u_q <= s6_u_q;
+        if (live_q[7]) s8_u_q <= s7_u_q;
     end
 
     // ---- stages 7 and 8: p ----
@@ -72,12 +88,16 @@ module rt_across_one #(
     wire signed [20:0] s7_p_a = `RT_ROUND(s7_a_q, 35, 15), s7_p_b = `RT_ROUND(s7_b_q, 35, 15);
     reg  signed [17:0] s8_p_a_q, s8_p_b_q, s9_p_a_q, s9_p_b_q, s10_p_a_q, s10_p_b_q;   // s0.17
     always @(posedge clk) begin
-        s7_a_q   <= s6_r * s6_u_b;
-        s7_b_q   <= s6_r * s6_u_a;
-        s8_p_a_q <= s7_p_a[17:0];         // |p| < 1
-        s8_p_b_q <= s7_p_b[17:0];
-        {s10_p_a_q, s9_p_a_q} <= {s9_p_a_q, s8_p_a_q};
-        {s10_p_b_q, s9_p_b_q} <= {s9_p_b_q, s8_p_b_q};
+        if (live_q[6]) begin
+            s7_a_q   <= s6_r * s6_u_b;
+            s7_b_q   <= s6_r * s6_u_a;
+        end
+        if (live_q[7]) begin
+            s8_p_a_q <= s7_p_a[17:0];         // |p| < 1
+            s8_p_b_q <= s7_p_b[17:0];
+        end
+        if (live_q[8]) {s9_least_q, s9_p_b_q, s9_p_a_q} <= {s8_u_q[55:54], s8_p_b_q, s8_p_a_q};
+        if (live_q[9]) {s10_least_q, s10_p_b_q, s10_p_a_q} <= {s9_least_q, s9_p_b_q, s9_p_a_q};
     end
 
     // ---- stages 9 to 11: q ----
@@ -87,20 +107,26 @@ module rt_across_one #(
     wire signed [19:0] s10_q_m = `RT_ROUND(s10_sum_q, 35, 16);
     reg  [17:0]        s10_q_a_q, s10_q_b_q;
     always @(posedge clk) begin
-        s9_a_q   <= s8_u_m * s8_p_b_q;
-        s9_b_q   <= s8_u_m * s8_p_a_q;
-        s9_u_b_q <= s8_u_b * s8_p_a_q;
-        s9_u_a_q <= s8_u_a * s8_p_b_q;
-        s10_q_a_q <= s9_q_a[17:0];         // |q| < 1
-        s10_q_b_q <= s9_q_b[17:0];
-        s10_sum_q <= ~s9_u_b_q - s9_u_a_q; // -u_b*p_a - 1 - u_a*p_b
-        out_least_o <= s10_least_q;
-        out_p_a_o   <= s10_p_a_q;
-        out_p_b_o   <= s10_p_b_q;
-        out_q_o[17:0]  <= s10_least_q == 2'd0 ? s10_q_m[17:0] : s10_q_a_q;
-        out_q_o[35:18] <= s10_least_q == 2'd1 ? s10_q_m[17:0] : s10_least_q == 2'd0 ? s10_q_a_q
-                          : s10_q_b_q;
-        out_q_o[53:36] <= s10_least_q == 2'd2 ? s10_q_m[17:0] : s10_q_b_q;
+        if (live_q[8]) begin
+            s9_a_q   <= s8_u_m * s8_p_b_q;
+            s9_b_q   <= s8_u_m * s8_p_a_q;
+            s9_u_b_q <= s8_u_b * s8_p_a_q;
+            s9_u_a_q <= s8_u_a * s8_p_b_q;
+        end
+        if (live_q[9]) begin
+            s10_q_a_q <= s9_q_a[17:0];         // |q| < 1
+            s10_q_b_q <= s9_q_b[17:0];
+            s10_sum_q <= ~s9_u_b_q - s9_u_a_q; // -u_b*p_a - 1 - u_a*p_b
+        end
+        if (live_q[10]) begin
+            out_least_o <= s10_least_q;
+            out_p_a_o   <= s10_p_a_q;
+            out_p_b_o   <= s10_p_b_q;
+            out_q_o[17:0]  <= s10_least_q == 2'd0 ? s10_q_m[17:0] : s10_q_a_q;
+            out_q_o[35:18] <= s10_least_q == 2'd1 ? s10_q_m[17:0]
+                              : s10_least_q == 2'd0 ? s10_q_a_q : s10_q_b_q;
+            out_q_o[53:36] <= s10_least_q == 2'd2 ? s10_q_m[17:0] : s10_q_b_q;
+        end
     end
 
     // for benches: {turned away, taken, clocks of work}

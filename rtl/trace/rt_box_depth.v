@@ -1,6 +1,7 @@
 // rt_box_depth.v - the depth of a T-word, by which boxes are ordered: its first bits, rising
 // SPDX-License-Identifier: Apache-2.0
 //   n = max(0, length(time) - 12)      depth = n * 2^11 + (time >> n)
+// The first bit of time >> n is 1 if n > 0, so that the sum is {n + 1, the 11 bits behind it}.
 // Combinational.
 // Model: sph_box_depth() in cmodel/trace/bih.c
 `timescale 1ns / 1ps
@@ -14,10 +15,9 @@ module rt_box_depth (
     localparam MOST = `RT_BIH_T - NW - 1;        // places that the longest word is shifted
     integer n;
     always @* begin
-        depth_o = {{(14-NW){1'b0}}, time_i[NW:0]};
+        depth_o = time_i >> (NW + 1) == 0 ? {{(14-NW){1'b0}}, time_i[NW:0]} : 15'd0;
         for (n = 1; n <= MOST; n = n + 1)
-            if (|(time_i >> (NW + n)))
-                depth_o = {n[3:0], {NW{1'b0}}} + {{(14-NW){1'b0}}, time_i[n +: NW+1]};
+            if (time_i >> (NW + n) == 1) depth_o = depth_o | {n[3:0] + 4'd1, time_i[n +: NW]};
     end
 endmodule
 `default_nettype wire

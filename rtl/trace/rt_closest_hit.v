@@ -127,14 +127,18 @@ module rt_closest_hit #(
         s1_valid_q <= in_valid_i && in_hit_i;
         s1_same_q  <= in_slot_i == s1_slot_q;
         s1_slot_q  <= in_slot_i;
-        s1_mark_q  <= !in_mark;
-        s1_far_q   <= in_far_i;
-        s1_new_q   <= {in_id_i, in_key_i};
-        s1_best_q  <= s2_read ? s2_new_q : best[BW-1:0];
-        s1_found_q <= (s2_read ? s2_mark_q : best[BW]) != in_mark;
-        s2_new_q   <= s1_new_q;
-        s2_mark_q  <= s1_mark_q;
-        s2_far_q   <= s1_far_q;
+        if (in_valid_i) begin
+            s1_mark_q  <= !in_mark;
+            s1_far_q   <= in_far_i;
+            s1_new_q   <= {in_id_i, in_key_i};
+            s1_best_q  <= s2_read ? s2_new_q : best[BW-1:0];
+            s1_found_q <= (s2_read ? s2_mark_q : best[BW]) != in_mark;
+        end
+        if (s1_valid_q) begin
+            s2_new_q   <= s1_new_q;
+            s2_mark_q  <= s1_mark_q;
+            s2_far_q   <= s1_far_q;
+        end
         s2_slot_q  <= s1_slot_q;
         if (rst) s1_valid_q <= 1'b0;
     end
@@ -249,14 +253,20 @@ module rt_closest_hit #(
             wire [33:0] s2_depth = s2_prod_q >> s2_shift_q;
             wire [39:0] s2_high  = {6'd0, s2_depth} >> (FW + 1);
             always @(posedge clk) begin
-                s1_top_q   <= in_key_i[KW-1 -: 17] + 17'd1;
-                s1_scale_q <= in_scale[16:0];
-                s1_shift_q <= in_scale[22:17];
-                s2_shift_q <= s1_shift_q;
-                s2_prod_q  <= s1_top_q * s1_scale_q;
-                s3_none_q  <= s2_shift_q == 6'd63;
-                s3_low_q   <= s2_depth[FW:0];
-                for (g = 0; g < 5; g = g + 1) s3_high_q[g] <= |s2_high[8*g +: 8];
+                if (in_valid_i) begin
+                    s1_top_q   <= in_key_i[KW-1 -: 17] + 17'd1;
+                    s1_scale_q <= in_scale[16:0];
+                    s1_shift_q <= in_scale[22:17];
+                end
+                if (s1_valid_q) begin
+                    s2_shift_q <= s1_shift_q;
+                    s2_prod_q  <= s1_top_q * s1_scale_q;
+                end
+                if (s2_win_q) begin
+                    s3_none_q  <= s2_shift_q == 6'd63;
+                    s3_low_q   <= s2_depth[FW:0];
+                    for (g = 0; g < 5; g = g + 1) s3_high_q[g] <= |s2_high[8*g +: 8];
+                end
             end
             wire        s3_over = s3_none_q || |s3_high_q || s3_low_q == LIM;
             assign s3_depth = (s3_low_q + 1'b1) | {(FW+1){s3_over}};

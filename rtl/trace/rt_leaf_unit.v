@@ -145,8 +145,7 @@ module rt_leaf_unit #(
     assign record_o[`RT_RECORD_DATA]  = record_data_q;
     always @(posedge clk) begin
         record_valid_q <= c_valid && c_prim;
-        record_slot_q  <= c_slot;
-        record_data_q  <= c_data;
+        if (c_valid && c_prim) {record_slot_q, record_data_q} <= {c_slot, c_data};
         if (rst) record_valid_q <= 1'b0;
     end
     assign fault_o[`RT_ERROR_BUS_ERROR] = c_valid && c_ready && c_error;
@@ -218,7 +217,8 @@ module rt_leaf_unit #(
     reg [`RT_RESULT_BITS-1:0]  result_q;
     assign result_o = result_q;
     always @(posedge clk) begin
-        result_q <= result;
+        if (result[`RT_RESULT_VALID]) result_q <= result;
+        result_q[`RT_RESULT_VALID] <= result[`RT_RESULT_VALID];
         if (rst) result_q[`RT_RESULT_VALID] <= 1'b0;
     end
     rt_prim #(.W(W), .WD(WD), .NG(NG), .SLOTS(SLOTS), .ROOTS(ROOTS), .ROOT_STEP(ROOT_STEP),

@@ -38,6 +38,8 @@ module rt_origin #(
     localparam LIFT = 3*(NG+2);
     localparam [`RT_ID_BITS:0] NONE = {1'b0, {`RT_ID_BITS{1'b1}}};
     wire [3*W-1:0] org;
+    reg            read_q;
+    always @(posedge clk) read_q <= read_i;
     genvar s;
     generate
         if (SECONDARY != 0) begin : g_secondary
@@ -86,14 +88,16 @@ module rt_origin #(
             assign org = primary_q ? eye_i : point;
             always @(posedge clk) begin
                 primary_q <= primary_i;
-                org_q     <= org;
-                skip_q    <= primary_q ? NONE : skip;
+                if (read_q) begin
+                    org_q  <= org;
+                    skip_q <= primary_q ? NONE : skip;
+                end
             end
             assign org_o  = org_q;
             assign skip_o = skip_q;
             if (LIFTS != 0) begin : g_lift
                 reg [LIFT-1:0] lift_q;
-                always @(posedge clk) lift_q <= kept[3*W +: LIFT];
+                always @(posedge clk) if (read_q) lift_q <= kept[3*W +: LIFT];
                 assign lift_o = lift_q;
             end else begin : g_no_lift
                 assign lift_o = {LIFT{1'b0}};
@@ -103,7 +107,7 @@ module rt_origin #(
             assign org_o  = eye_i;
             assign skip_o = NONE;
             assign lift_o = {LIFT{1'b0}};
-            wire unused = &{1'b0, org_i, skip_i, read_i, slot_i, primary_i};
+            wire unused = &{1'b0, org_i, skip_i, slot_i, primary_i};
         end
     endgenerate
 
@@ -111,11 +115,11 @@ module rt_origin #(
     generate
         for (i = 0; i < 3; i = i + 1) begin : g_forg
             if (K == 0) begin : g_same
-                always @(posedge clk) forg_o[FW*i +: FW] <= org[W*i +: W];
+                always @(posedge clk) if (read_q) forg_o[FW*i +: FW] <= org[W*i +: W];
             end else begin : g_round
                 wire [FW:0] up = {org[W*i + W-1], org[W*i + K +: FW]} +
                                  {{FW{1'b0}}, org[W*i + K-1]};  // one bit more than fits
-                always @(posedge clk)
+                always @(posedge clk) if (read_q)
                     forg_o[FW*i +: FW] <= up[FW] != up[FW-1] ? {1'b0, {(FW-1){1'b1}}}
                                                              : up[FW-1:0];
             end

@@ -122,8 +122,7 @@ module rt_setup #(
     reg [3*WD-1:0]   w_vec_q;
     always @(posedge clk) begin
         w_valid_q <= v_valid && v_ready;
-        w_slot_q  <= v_slot;
-        w_vec_q   <= v_vec;
+        if (v_valid) {w_slot_q, w_vec_q} <= {v_slot, v_vec};
     end
     rt_slot_ram #(.WIDTH(3*WD), .SLOTS(SLOTS), .OLD(0)) u_vec (
         .clk(clk), .wr_en_i(w_valid_q), .wr_addr_i(w_slot_q), .wr_data_i(w_vec_q),
@@ -155,19 +154,21 @@ module rt_setup #(
 
         // ---- stage 2: axes of the largest and of the smallest ----
         s2_valid_q <= s1_valid_q;
-        s2_slot_q  <= s1_slot_q;
-        s2_kind_q  <= s1_kind_q;
-        s2_vv_q    <= s1_vv_q;
-        s2_unit_q  <= s1_unit_q;
-        s2_mag_x_q <= s1_mag_x_q;
-        s2_mag_y_q <= s1_mag_y_q;
-        s2_mag_z_q <= s1_mag_z_q;
-        s2_rsqrt_q <= s1_rsqrt_q;
-        s2_h_q     <= s1_h_q;
-        s2_axis_q  <= s1_mag_x_q >= s1_mag_y_q && s1_mag_x_q >= s1_mag_z_q ? 2'd0
-                      : s1_mag_y_q >= s1_mag_z_q ? 2'd1 : 2'd2;
-        s2_least_q <= s1_mag_x_q <= s1_mag_y_q && s1_mag_x_q <= s1_mag_z_q ? 2'd0
-                      : s1_mag_y_q <= s1_mag_z_q ? 2'd1 : 2'd2;
+        if (s1_valid_q) begin
+            s2_slot_q  <= s1_slot_q;
+            s2_kind_q  <= s1_kind_q;
+            s2_vv_q    <= s1_vv_q;
+            s2_unit_q  <= s1_unit_q;
+            s2_mag_x_q <= s1_mag_x_q;
+            s2_mag_y_q <= s1_mag_y_q;
+            s2_mag_z_q <= s1_mag_z_q;
+            s2_rsqrt_q <= s1_rsqrt_q;
+            s2_h_q     <= s1_h_q;
+            s2_axis_q  <= s1_mag_x_q >= s1_mag_y_q && s1_mag_x_q >= s1_mag_z_q ? 2'd0
+                          : s1_mag_y_q >= s1_mag_z_q ? 2'd1 : 2'd2;
+            s2_least_q <= s1_mag_x_q <= s1_mag_y_q && s1_mag_x_q <= s1_mag_z_q ? 2'd0
+                          : s1_mag_y_q <= s1_mag_z_q ? 2'd1 : 2'd2;
+        end
         if (rst) s2_valid_q <= 1'b0;
     end
 
@@ -190,31 +191,35 @@ module rt_setup #(
     localparam [31:0] FLAT = 30 - FW;                    // depth shift of an unshifted vector
     always @(posedge clk) begin
         s3_valid_q    <= s2_valid_q;
-        s3_slot_q     <= s2_slot_q;
-        s3_kind_q     <= s2_kind_q;
-        s3_vv_q       <= s2_vv_q;
-        s3_unit_q     <= s2_unit_q;
-        s3_vec_q      <= s2_vec;
-        s3_axis_q     <= s2_axis_q;
-        s3_negative_q <= s2_axis_q == 2'd0 ? s2_unit_q[17] : s2_axis_q == 2'd1 ? s2_unit_q[35]
-                         : s2_unit_q[53];
-        s3_mag_q      <= (s2_axis_q == 2'd0 ? s2_mag_x_q : s2_axis_q == 2'd1 ? s2_mag_y_q
-                          : s2_mag_z_q) + 17'd1;
-        s3_recip_q    <= {1'b0, s2_rsqrt_q[16:1]} + `RT_RSQRT_ERROR + 17'd2;
-        s3_shift_q    <= {26'd0, s2_h_q} > FLAT ? 6'd63 : FLAT[5:0] - s2_h_q;
+        if (s2_valid_q) begin
+            s3_slot_q     <= s2_slot_q;
+            s3_kind_q     <= s2_kind_q;
+            s3_vv_q       <= s2_vv_q;
+            s3_unit_q     <= s2_unit_q;
+            s3_vec_q      <= s2_vec;
+            s3_axis_q     <= s2_axis_q;
+            s3_negative_q <= s2_axis_q == 2'd0 ? s2_unit_q[17] : s2_axis_q == 2'd1 ? s2_unit_q[35]
+                             : s2_unit_q[53];
+            s3_mag_q      <= (s2_axis_q == 2'd0 ? s2_mag_x_q : s2_axis_q == 2'd1 ? s2_mag_y_q
+                              : s2_mag_z_q) + 17'd1;
+            s3_recip_q    <= {1'b0, s2_rsqrt_q[16:1]} + `RT_RSQRT_ERROR + 17'd2;
+            s3_shift_q    <= {26'd0, s2_h_q} > FLAT ? 6'd63 : FLAT[5:0] - s2_h_q;
+        end
         if (rst) s3_valid_q <= 1'b0;
 
         // ---- stage 4: product ----
         s4_valid_q    <= s3_valid_q;
-        s4_slot_q     <= s3_slot_q;
-        s4_kind_q     <= s3_kind_q;
-        s4_vv_q       <= s3_vv_q;
-        s4_unit_q     <= s3_unit_q;
-        s4_vec_q      <= s3_vec_q;
-        s4_axis_q     <= s3_axis_q;
-        s4_negative_q <= s3_negative_q;
-        s4_shift_q    <= s3_shift_q;
-        s4_prod_q     <= s3_mag_q * s3_recip_q;
+        if (s3_valid_q) begin
+            s4_slot_q     <= s3_slot_q;
+            s4_kind_q     <= s3_kind_q;
+            s4_vv_q       <= s3_vv_q;
+            s4_unit_q     <= s3_unit_q;
+            s4_vec_q      <= s3_vec_q;
+            s4_axis_q     <= s3_axis_q;
+            s4_negative_q <= s3_negative_q;
+            s4_shift_q    <= s3_shift_q;
+            s4_prod_q     <= s3_mag_q * s3_recip_q;
+        end
         if (rst) s4_valid_q <= 1'b0;
 
         // ---- stage 5: ray, normal or light ----
@@ -222,16 +227,18 @@ module rt_setup #(
                           (SHADOWS != 0 || s4_kind_q != LIGHT);
         ray_normal_q   <= s4_valid_q && s4_kind_q == NORMAL;
         ray_light_q    <= next_light_o;
-        ray_slot_q     <= s4_slot_q;
-        ray_shadow_q   <= SHADOWS != 0 && s4_kind_q == LIGHT;
-        ray_primary_q  <= s4_kind_q == PRIMARY;
-        ray_dir_q      <= s4_vec_q;
-        ray_a_q        <= s4_vv_q;
-        ray_unit_q     <= s4_unit_q;
-        ray_axis_q     <= s4_axis_q;
-        ray_negative_q <= s4_negative_q;
-        ray_scale_q    <= s4_prod_q[32:16] + 17'd1;
-        ray_shift_q    <= s4_shift_q;
+        if (s4_valid_q) begin
+            ray_slot_q     <= s4_slot_q;
+            ray_shadow_q   <= SHADOWS != 0 && s4_kind_q == LIGHT;
+            ray_primary_q  <= s4_kind_q == PRIMARY;
+            ray_dir_q      <= s4_vec_q;
+            ray_a_q        <= s4_vv_q;
+            ray_unit_q     <= s4_unit_q;
+            ray_axis_q     <= s4_axis_q;
+            ray_negative_q <= s4_negative_q;
+            ray_scale_q    <= s4_prod_q[32:16] + 17'd1;
+            ray_shift_q    <= s4_shift_q;
+        end
         if (rst) begin
             ray_valid_q <= 1'b0; ray_normal_q <= 1'b0; ray_light_q <= 1'b0;
         end
@@ -305,10 +312,11 @@ module rt_setup #(
                 : s2_vec[`RT_VEC_Z]);
             wire [WD-1:0] s3_units = s3_span_q >> (W - FW);
             always @(posedge clk) begin
-                s3_span_q  <= s2_along[WD-1] ? ~s2_along + 1'b1 : s2_along;
-                s4_depth_q <= s3_kind_q == LIGHT && s3_units < {{(WD-FW-1){1'b0}}, LIM}
-                              ? s3_units[FW:0] + 1'b1 : LIM;
-                depth_q    <= s4_depth_q;
+                if (s2_valid_q) s3_span_q <= s2_along[WD-1] ? ~s2_along + 1'b1 : s2_along;
+                if (s3_valid_q)
+                    s4_depth_q <= s3_kind_q == LIGHT && s3_units < {{(WD-FW-1){1'b0}}, LIM}
+                                  ? s3_units[FW:0] + 1'b1 : LIM;
+                if (s4_valid_q) depth_q <= s4_depth_q;
             end
             assign filter_o[`RT_FILTER_DEPTH] = depth_q;
         end else begin : g_unbounded

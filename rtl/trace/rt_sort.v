@@ -7,6 +7,7 @@
 `default_nettype none
 module rt_sort (
     input  wire        clk,
+    input  wire        in_valid_i, // a node
     input  wire [3:0]  hit_i,     // children to order
     input  wire [63:0] near_i,    // 4 x s16 filter depth
     output reg  [2:0]  count_o,   // children in the list
@@ -16,15 +17,19 @@ module rt_sort (
     reg [3:0]  s1_hit_q;
     reg [63:0] s1_near_q;
     reg [15:0] s1_before_q;       // bit 4*i+j: j is hit and comes before i
+    reg       s1_valid_q;
     integer i, j;
     always @(posedge clk) begin
-        s1_hit_q  <= hit_i;
-        s1_near_q <= near_i;
-        for (i = 0; i < 4; i = i + 1)
-            for (j = 0; j < 4; j = j + 1)
-                s1_before_q[4*i + j] <= hit_i[j] && i != j &&
-                    (j < i ? $signed(near_i[16*j +: 16]) <= $signed(near_i[16*i +: 16])
-                           : $signed(near_i[16*j +: 16]) <  $signed(near_i[16*i +: 16]));
+        s1_valid_q <= in_valid_i;
+        if (in_valid_i) begin
+            s1_hit_q  <= hit_i;
+            s1_near_q <= near_i;
+            for (i = 0; i < 4; i = i + 1)
+                for (j = 0; j < 4; j = j + 1)
+                    s1_before_q[4*i + j] <= hit_i[j] && i != j &&
+                        (j < i ? $signed(near_i[16*j +: 16]) <= $signed(near_i[16*i +: 16])
+                               : $signed(near_i[16*j +: 16]) <  $signed(near_i[16*i +: 16]));
+        end
     end
     // ---- stage 2: place ----
     reg [2:0]  place;
@@ -40,7 +45,7 @@ module rt_sort (
                     list[18*n +: 18] = {s1_near_q[16*k +: 16], k[1:0]};
         end
     end
-    always @(posedge clk) begin
+    always @(posedge clk) if (s1_valid_q) begin
         list_o  <= list;
         count_o <= {2'b0, s1_hit_q[0]} + {2'b0, s1_hit_q[1]} + {2'b0, s1_hit_q[2]} +
                    {2'b0, s1_hit_q[3]};

@@ -77,15 +77,15 @@ module rt_traversal_stack #(
         .rd_en_i(s1_valid_q), .rd_addr_i(s1_slot_q), .rd_data_o(s2_found)
     );
     wire             keep;                  // write the slot's new state
+    wire [DEPTHW+17:0] s1_stack, stack_next; // {current group has more, smallest near, entries}
+    rt_slot_file #(.WIDTH(DEPTHW+18), .SLOTS(SLOTS)) u_pointer (
+        .clk(clk), .wr_en_i(keep), .wr_addr_i(s3_slot_q), .wr_data_i(stack_next),
+        .rd_addr_i(s1_slot_q), .rd_data_o(s1_stack)
+    );
     wire [KW-1:0]    s2_cur, cur_next;
     rt_slot_ram #(.WIDTH(KW), .SLOTS(SLOTS), .OLD(0), .LUTS(LUTS)) u_current (
         .clk(clk), .wr_en_i(keep), .wr_addr_i(s3_slot_q), .wr_data_i(cur_next),
-        .rd_en_i(s1_valid_q), .rd_addr_i(s1_slot_q), .rd_data_o(s2_cur)
-    );
-    wire [DEPTHW+16:0] s1_stack, stack_next; // {smallest near, entries}
-    rt_slot_file #(.WIDTH(DEPTHW+17), .SLOTS(SLOTS)) u_pointer (
-        .clk(clk), .wr_en_i(keep), .wr_addr_i(s3_slot_q), .wr_data_i(stack_next),
-        .rd_addr_i(s1_slot_q), .rd_data_o(s1_stack)
+        .rd_en_i(s1_valid_q && s1_stack[DEPTHW+17]), .rd_addr_i(s1_slot_q), .rd_data_o(s2_cur)
     );
     wire             push;
     wire [EW-1:0]    push_data, s2_top;
@@ -93,12 +93,13 @@ module rt_traversal_stack #(
     wire [DEPTHW-1:0] s1_top_at = s1_stack[DEPTHW-1:0] - 1'b1;
     rt_slot_ram #(.WIDTH(EW), .SLOTS(SLOTS*DEPTH), .OLD(0)) u_stack (
         .clk(clk), .wr_en_i(push), .wr_addr_i({s3_slot_q, push_at}), .wr_data_i(push_data),
-        .rd_en_i(s1_valid_q), .rd_addr_i({s1_slot_q, s1_top_at}), .rd_data_o(s2_top)
+        .rd_en_i(s1_valid_q && s1_stack[DEPTHW:0] != 0),   // it is not empty
+        .rd_addr_i({s1_slot_q, s1_top_at}), .rd_data_o(s2_top)
     );
 
     // ---- stage 2: compare ----
     // Groups: f that the visit found, c the current one, t the top of the stack.
-    reg              s2_valid_q, s2_again_q;
+    reg              s2_valid_q, s2_again_q, s2_more_q;
     reg [SLOTW-1:0]  s2_slot_q;
     reg [DEPTHW:0]   s2_sp_q;
     reg signed [15:0] s2_least_q;           // smallest near of the stack
@@ -116,7 +117,7 @@ module rt_traversal_stack #(
     assign {t_below, t_base, t_count, t_list}              = s2_top;
     wire             fresh = found_fresh && !s2_again_q;
     wire [2:0]  f_count = s2_again_q ? 3'd0 : f_found;
-    wire [1:0]  c_count = fresh || s2_again_q ? 2'd0 : c_left;
+    wire [1:0]  c_count = fresh || s2_again_q || !s2_more_q ? 2'd0 : c_left;
     wire [DEPTHW:0] sp  = fresh ? {(DEPTHW+1){1'b0}} : s2_sp_q;
     wire signed [15:0] depth = $signed({{(15-FW){1'b0}}, s2_depth_q});
     wire signed [15:0] f_near = $signed(f_list[17:2]);     // of the first child of the list
@@ -131,25 +132,29 @@ module rt_traversal_stack #(
         s2_valid_q <= s1_valid_q;
         s2_again_q <= s1_again_q;
         s2_slot_q  <= s1_slot_q;
-        {s2_least_q, s2_sp_q} <= s1_stack;
-        s2_depth_q <= depth_i;
+        if (s1_valid_q) begin
+            {s2_more_q, s2_least_q, s2_sp_q} <= s1_stack;
+            s2_depth_q <= depth_i;
+        end
         s2_ends_q  <= ENDS != 0 && ends_i && hit_i;
 
         s3_valid_q <= s2_valid_q;
         s3_slot_q  <= s2_slot_q;
-        s3_sp_q    <= sp;
-        s3_least_q <= fresh ? FAR : s2_least_q;
-        s3_below_q <= t_below;
-        s3_f_q     <= {f_base, f_count, f_list};
-        s3_c_q     <= {c_base, 1'b0, c_count, 18'd0, c_list};
-        s3_t_q     <= {t_base, 1'b0, t_count, 18'd0, t_list};
-        s3_ended_q <= s2_kill || s2_ends_q;
-        s3_f_ok_q  <= f_count != 3'd0 && f_near <= depth;
-        s3_c_ok_q  <= c_count != 2'd0 && c_near <= depth;
-        s3_c_any_q <= c_count != 2'd0;
-        s3_t_any_q <= sp != 0 && s2_least_q <= depth;      // the stack holds something to visit
-        s3_t_ok_q  <= t_near <= depth;
-        s3_c_least_q <= fresh || c_near < s2_least_q;      // the current one is nearer than it
+        if (s2_valid_q) begin
+            s3_sp_q    <= sp;
+            s3_least_q <= fresh ? FAR : s2_least_q;
+            s3_below_q <= t_below;
+            s3_f_q     <= {f_base, f_count, f_list};
+            s3_c_q     <= {c_base, 1'b0, c_count, 18'd0, c_list};
+            s3_t_q     <= {t_base, 1'b0, t_count, 18'd0, t_list};
+            s3_ended_q <= s2_kill || s2_ends_q;
+            s3_f_ok_q  <= f_count != 3'd0 && f_near <= depth;
+            s3_c_ok_q  <= c_count != 2'd0 && c_near <= depth;
+            s3_c_any_q <= c_count != 2'd0;
+            s3_t_any_q <= sp != 0 && s2_least_q <= depth;      // the stack holds something to visit
+            s3_t_ok_q  <= t_near <= depth;
+            s3_c_least_q <= fresh || c_near < s2_least_q;      // the current one is nearer than it
+        end
         if (rst) begin s2_valid_q <= 1'b0; s3_valid_q <= 1'b0; end
     end
 
@@ -173,7 +178,7 @@ module rt_traversal_stack #(
     wire [DEPTHW:0] sp_next = want_push ? s3_sp_q + 1'b1 : use_t ? s3_sp_q - 1'b1 : s3_sp_q;
     wire signed [15:0] least_next = want_push ? (s3_c_least_q ? c_first : s3_least_q)
                                     : use_t ? s3_below_q : s3_least_q;
-    assign stack_next = {least_next, sp_next};
+    assign stack_next = {left != 2'd0, least_next, sp_next};
     wire go    = s3_valid_q && !s3_ended_q && (use_f || use_c || (use_t && s3_t_ok_q)) &&
                  !(want_push && full);
     wire again = s3_valid_q && !s3_ended_q && use_t && !s3_t_ok_q;
@@ -187,7 +192,7 @@ module rt_traversal_stack #(
 
         issue_valid_o <= go;
         issue_slot_o  <= s3_slot_q;
-        issue_line_o  <= base + {{(`RT_LINE_BITS-2){1'b0}}, list[1:0]};
+        if (s3_valid_q) issue_line_o <= base + {{(`RT_LINE_BITS-2){1'b0}}, list[1:0]};
         done_valid_o  <= s3_valid_q && !go && !again;
         done_slot_o   <= s3_slot_q;
         bubble_o      <= again;

@@ -125,12 +125,9 @@ module rt_traverse #(
             localparam START = `RT_ACROSS_BEHIND - 7;
             wire             new_valid;
             wire [SLOTW:0]   fresh;
-            rt_delay_valid #(.CYCLES(START)) u_new_valid (
-                .clk(clk), .rst(rst), .in_i(ray_i[`RT_RAY_VALID] && !ray_i[`RT_RAY_SHADOW]),
-                .out_o(new_valid)
-            );
-            rt_delay #(.WIDTH(SLOTW+1), .CYCLES(START)) u_new (
-                .clk(clk), .in_i({ray_i[`RT_RAY_SLOT], pixel_i}), .out_o(fresh)
+            rt_stages #(.WIDTH(SLOTW+1), .CYCLES(START)) u_new (
+                .clk(clk), .rst(rst), .in_valid_i(ray_i[`RT_RAY_VALID] && !ray_i[`RT_RAY_SHADOW]),
+                .in_i({ray_i[`RT_RAY_SLOT], pixel_i}), .out_valid_o(new_valid), .out_o(fresh)
             );
             rt_fifo #(.WIDTH(SLOTW+1), .DEPTH(SLOTS)) u_new_queue (
                 .clk(clk), .rst(rst), .in_valid_i(new_valid),
@@ -142,11 +139,9 @@ module rt_traverse #(
             if (SHADOW != 0) begin : g_shadow
                 wire             go;
                 wire [SLOTW-1:0] go_slot;
-                rt_delay_valid #(.CYCLES(START)) u_go (
-                    .clk(clk), .rst(rst), .in_i(shadow_go_i), .out_o(go)
-                );
-                rt_delay #(.WIDTH(SLOTW), .CYCLES(START)) u_go_slot (
-                    .clk(clk), .in_i(shadow_slot_i), .out_o(go_slot)
+                rt_stages #(.WIDTH(SLOTW), .CYCLES(START)) u_go (
+                    .clk(clk), .rst(rst), .in_valid_i(shadow_go_i), .in_i(shadow_slot_i),
+                    .out_valid_o(go), .out_o(go_slot)
                 );
                 rt_fifo #(.WIDTH(SLOTW), .DEPTH(SLOTS)) u_shadow_queue (
                     .clk(clk), .rst(rst), .in_valid_i(go), .in_ready_o(shadow_in_ready),
@@ -186,7 +181,9 @@ module rt_traverse #(
                 .wr_addr_i(across_i[`RT_ACROSS_SLOT]), .wr_data_i(across_i[AW-1:0]),
                 .rd_en_i(rsp_valid), .rd_addr_i(rsp_slot), .rd_data_o(t1_across)
             );
-            wire [53:0]      t1_q = t1_across[`RT_ACROSS_Q];
+            reg  [AW-1:0]    t2_across_q;            // one for all lanes
+            wire [53:0]      t2_q = t2_across_q[`RT_ACROSS_Q];
+            always @(posedge clk) if (t1_valid_q) t2_across_q <= t1_across;
             for (c = 0; c < 4; c = c + 1) begin : g_lane
                 wire [`RT_CHILD_STRIDE-1:0] child =
                     t1_node_q[`RT_CHILD_STRIDE*c +: `RT_CHILD_STRIDE];
@@ -196,10 +193,10 @@ module rt_traverse #(
                     .in_org_x_i($signed(t1_org[0 +: FW])), .in_org_y_i($signed(t1_org[FW +: FW])),
                     .in_org_z_i($signed(t1_org[2*FW +: FW])),
                     .in_least_i(t1_across[`RT_ACROSS_LEAST]),
-                    .in_p_a_i($signed(t1_across[`RT_ACROSS_P_A])),
-                    .in_p_b_i($signed(t1_across[`RT_ACROSS_P_B])),
-                    .in_q_x_i($signed(t1_q[`RT_UNIT_X])), .in_q_y_i($signed(t1_q[`RT_UNIT_Y])),
-                    .in_q_z_i($signed(t1_q[`RT_UNIT_Z])),
+                    .s1_p_a_i($signed(t2_across_q[`RT_ACROSS_P_A])),
+                    .s1_p_b_i($signed(t2_across_q[`RT_ACROSS_P_B])),
+                    .s1_q_x_i($signed(t2_q[`RT_UNIT_X])), .s1_q_y_i($signed(t2_q[`RT_UNIT_Y])),
+                    .s1_q_z_i($signed(t2_q[`RT_UNIT_Z])),
                     .in_axis_i(t1_axis), .in_negative_i(t1_negative), .in_depth_max_i(depth_i),
                     .in_ctr_x_i($signed(child[`RT_CHILD_CTR_X_LSB +: `RT_CHILD_CTR_X_BITS])),
                     .in_ctr_y_i($signed(child[`RT_CHILD_CTR_Y_LSB +: `RT_CHILD_CTR_Y_BITS])),
@@ -216,7 +213,7 @@ module rt_traverse #(
                 assign f_order = 1'b0;
                 wire unused = &{1'b0, t1_order, y[YW]};
             end
-            wire unused = &{1'b0, new_in_ready, shadow_in_ready, t1_across};
+            wire unused = &{1'b0, new_in_ready, shadow_in_ready, t1_across, t2_across_q};
         end
     endgenerate
 
@@ -242,19 +239,23 @@ module rt_traverse #(
         i1_pixel_q <= !q_next_valid && start_pixel;
         i1_slot_q  <= any_slot;
         i2_valid_q <= i1_valid_q;
-        i2_fresh_q <= i1_fresh_q;
-        i2_slot_q  <= i1_slot_q;
-        i2_line_q  <= i1_line;
-        i2_ray_q   <= i1_fresh_q ? {VB{1'b0}} : ray_visits;
-        i2_pixel_q <= i1_pixel_q ? {VB{1'b0}} : pixel_visits;
+        if (i1_valid_q) begin
+            i2_fresh_q <= i1_fresh_q;
+            i2_slot_q  <= i1_slot_q;
+            i2_line_q  <= i1_line;
+            i2_ray_q   <= i1_fresh_q ? {VB{1'b0}} : ray_visits;
+            i2_pixel_q <= i1_pixel_q ? {VB{1'b0}} : pixel_visits;
+        end
         i3_valid_q <= i2_valid_q;
-        i3_fresh_q <= i2_fresh_q;
-        i3_slot_q  <= i2_slot_q;
-        i3_line_q  <= i2_line_q;
-        i3_ray_q   <= i2_ray_q;
-        i3_pixel_q <= i2_pixel_q;
-        i3_bad_line_q  <= i2_line_q >= mem_lines;
-        i3_bad_limit_q <= i2_ray_q == regs_i[`RT_REGS_VISIT_LIMIT];
+        if (i2_valid_q) begin
+            i3_fresh_q <= i2_fresh_q;
+            i3_slot_q  <= i2_slot_q;
+            i3_line_q  <= i2_line_q;
+            i3_ray_q   <= i2_ray_q;
+            i3_pixel_q <= i2_pixel_q;
+            i3_bad_line_q  <= i2_line_q >= mem_lines;
+            i3_bad_limit_q <= i2_ray_q == regs_i[`RT_REGS_VISIT_LIMIT];
+        end
         held_q     <= held_q + {3'd0, any_valid && room} - {3'd0, taken};
         if (rst) begin
             i1_valid_q <= 1'b0; i2_valid_q <= 1'b0; i3_valid_q <= 1'b0; held_q <= 4'd0;
@@ -331,8 +332,10 @@ module rt_traverse #(
             t1_node_q  <= rsp_data;
         end
         visit_q       <= i3_valid_q && !i3_kill;
-        t2_end_q      <= t1_end;
-        t2_count_q    <= t1_count;
+        if (t1_valid_q) begin
+            t2_end_q   <= t1_end;
+            t2_count_q <= t1_count;
+        end
         t2_live_q     <= t1_valid_q && !t1_kill_q;
         tests_q       <= t2_live_q && !t2_bad ? t2_count_q[2:0] : 3'd0;
         bad_node_q    <= (i3_valid_q && i3_bad_line_q) || (t2_live_q && t2_bad);
@@ -359,32 +362,29 @@ module rt_traverse #(
     wire             f_fresh, f_kill, g_fresh, g_kill, f_valid, g_valid;
     wire [`RT_LINE_BITS-1:0] f_base, g_base;
     wire [2:0]       f_n_inner, f_n_leaf, g_n_inner, g_n_leaf;
-    rt_delay #(.WIDTH(DW), .CYCLES(LAT)) u_side (
-        .clk(clk),
+    rt_stages #(.WIDTH(DW), .CYCLES(LAT)) u_side (
+        .clk(clk), .rst(rst), .in_valid_i(t1_valid_q),
         .in_i({t1_slot_q, t1_fresh_q, t1_kill_q, t1_base, t1_n_inner, t1_n_leaf}),
-        .out_o(f_side)
+        .out_valid_o(f_valid), .out_o(f_side)
     );
     wire             f_killed, f_bad;
     rt_delay #(.WIDTH(1), .CYCLES(LAT-1)) u_bad (.clk(clk), .in_i(t2_bad), .out_o(f_bad));
     assign f_kill = f_killed || f_bad;
     assign {f_slot, f_fresh, f_killed, f_base, f_n_inner, f_n_leaf} = f_side;
-    rt_delay_valid #(.CYCLES(LAT)) u_valid (
-        .clk(clk), .rst(rst), .in_i(t1_valid_q), .out_o(f_valid)
-    );
     wire [3:0] f_inner   = ~(4'hf << f_n_inner);                   // children that are nodes
     wire [3:0] f_present = ~(4'hf << (f_n_inner + f_n_leaf));
     wire [3:0] f_hit     = f_kill ? 4'd0 : f_pass & f_present;
-    // Equal depths are put in the order of the node; the smallest is below every limit.
+    // Equal depths are put in the order of the node; the smallest is below every limit: order.h.
+    wire [63:0] f_depth = f_order ? {4{16'h8000}} : f_near;
+
     rt_sort u_sort (
-        .clk(clk), .hit_i(f_hit & f_inner), .near_i(f_order ? {4{16'h8000}} : f_near),
+        .clk(clk), .in_valid_i(f_valid), .hit_i(f_hit & f_inner), .near_i(f_depth),
         .count_o(found_o[`RT_FOUND_COUNT]), .list_o(found_o[`RT_FOUND_LIST])
     );
-    rt_delay #(.WIDTH(DW), .CYCLES(1)) u_side_1 (
-        .clk(clk), .in_i({f_slot, f_fresh, f_kill, f_base, f_n_inner, f_n_leaf}),
-        .out_o({g_slot, g_fresh, g_kill, g_base, g_n_inner, g_n_leaf})
-    );
-    rt_delay_valid #(.CYCLES(1)) u_valid_1 (
-        .clk(clk), .rst(rst), .in_i(f_valid), .out_o(g_valid)
+    rt_stages #(.WIDTH(DW), .CYCLES(1)) u_side_1 (
+        .clk(clk), .rst(rst), .in_valid_i(f_valid),
+        .in_i({f_slot, f_fresh, f_kill, f_base, f_n_inner, f_n_leaf}),
+        .out_valid_o(g_valid), .out_o({g_slot, g_fresh, g_kill, g_base, g_n_inner, g_n_leaf})
     );
     reg [3:0]        f_leaf_q, leaf_q;
     reg              valid_q, fresh_q, kill_q;
@@ -393,12 +393,14 @@ module rt_traverse #(
     always @(posedge clk) begin
         f_leaf_q <= (f_hit & ~f_inner) >> f_n_inner;
         valid_q <= g_valid;
-        slot_q  <= g_slot;
-        fresh_q <= g_fresh;
-        kill_q  <= g_kill;
-        base_q  <= g_base;
-        leaf_q  <= f_leaf_q;
-        line_q  <= g_base + {{(LB-3){1'b0}}, g_n_inner};
+        if (g_valid) begin
+            slot_q  <= g_slot;
+            fresh_q <= g_fresh;
+            kill_q  <= g_kill;
+            base_q  <= g_base;
+            leaf_q  <= f_leaf_q;
+            line_q  <= g_base + {{(LB-3){1'b0}}, g_n_inner};
+        end
         if (rst) valid_q <= 1'b0;
     end
     assign found_o[`RT_FOUND_VALID] = valid_q;

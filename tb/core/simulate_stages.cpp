@@ -57,7 +57,7 @@ class StageWatch::Core {
         for (const Place &p : places.with("in_rad_i"))
             add<Sphere>({SPH_STAGE_SPHERE}, f, p, places, exact);
         for (const Place &p : places.with("out_tag_o"))
-            add<Roots>({SPH_STAGE_ROOT}, f, p, places, exact);
+            add<Roots>({SPH_STAGE_ROOT}, f, p, exact);
         for (const Place &p : places.with("s1_det_q"))
             add<Facet>({SPH_STAGE_TRIANGLE, SPH_STAGE_PLANE}, f, p, exact);
         for (const Place &p : places.with("result_o"))

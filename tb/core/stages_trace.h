@@ -250,33 +250,20 @@ class Sphere : public Watch {
 
 class Roots : public Watch {
   public:
-    Roots(Followed &f, const Place &p, const Places &places, int slot_bits)
-        : Watch(f, p, "g_exact"), bits_(slot_bits), valid_(p["out_valid_o"]),
-          ready_(p["out_ready_i"]), tag_(p["out_tag_o"]),
-          give_(places.at(p.path + ".u_pool")["give_o"]) {
-        for (int u = 0; u < give_.bits(); u++) {
-            const Place unit = places.at(p.path + ".g_unit[" + std::to_string(u) + "]");
-            units_.push_back({unit["root"], unit["shift"], unit["inexact"]});
-        }
-    }
+    Roots(Followed &f, const Place &p, int slot_bits)
+        : Watch(f, p, "g_exact"), bits_(slot_bits), valid_(p["out_valid_o"]), tag_(p["out_tag_o"]),
+          root_(p["root"]), shift_(p["shift"]), inexact_(p["inexact"]) {}
     void clock() override {
-        if (!valid_.bit() || !ready_.bit()) return;
+        if (!valid_.bit()) return;
         const auto slot = static_cast<uint64_t>(tag_.get(SPH_ID_BITS, bits_));
-        if (!mine(slot, bits_)) return;
-        for (size_t u = 0; u < units_.size(); u++)
-            if (give_.bit(static_cast<int>(u)))
-                f.note(SPH_STAGE_ROOT, static_cast<uint32_t>(tag_.get(0, SPH_ID_BITS)),
-                       {static_cast<sph_i128>(units_[u].root.all() << units_[u].shift.word()),
-                        units_[u].inexact.bit()});
+        if (mine(slot, bits_))
+            f.note(SPH_STAGE_ROOT, static_cast<uint32_t>(tag_.get(0, SPH_ID_BITS)),
+                   {static_cast<sph_i128>(root_.all() << shift_.word()), inexact_.bit()});
     }
 
   private:
-    struct Unit {
-        Shown root, shift, inexact;
-    };
     int bits_;
-    Shown valid_, ready_, tag_, give_;
-    std::vector<Unit> units_;
+    Shown valid_, tag_, root_, shift_, inexact_;
 };
 
 class Facet : public Watch {

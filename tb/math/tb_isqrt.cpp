@@ -3,6 +3,8 @@
  *
  * The roots of the hits of tests/hard come first.
  */
+#include <deque>
+
 #include "Vrt_isqrt.h"
 #include "bench.h"
 #include "hard.h"
@@ -41,12 +43,25 @@ u128 radicand(bench::Random &r, long n) {
     }
 }
 
-/* Clocks with digits: to the last one, or BITS behind the first 1. */
-uint64_t rounds(u128 x) {
-    int inexact, all = (XW / 2 + STEP - 1) / STEP;
-    int length = sph_bit_length(sph_isqrt(x, &inexact));
-    int digits = BITS && length > BITS ? all * STEP - length + BITS : all * STEP;
-    return (uint64_t)((digits + STEP - 1) / STEP);
+/* A radicand that was taken, and the clock of its root. */
+struct Sent {
+    u128 x;
+    unsigned tag;
+    uint64_t due;
+    hard::Case hard;
+};
+
+void compare(bench::Bench<Vrt_isqrt> &b, const Sent &sent) {
+    const Vrt_isqrt &t = b.dut;
+    int inexact;
+    uint64_t root = sph_isqrt_bits(sent.x, BITS, &inexact);
+    if (BITS ? t.out_shift_o > XW / 2 - BITS : t.out_shift_o)
+        b.fail("out_shift_o: longer than the bits that are left out");
+    b.expect("out_root_o", (bench::i128)b.get(t.out_root_o) << t.out_shift_o, (bench::i128)root,
+             XW / 2);
+    b.expect("out_inexact_o", t.out_inexact_o, inexact, 1);
+    b.expect("out_tag_o", t.out_tag_o, sent.tag, TAG);
+    if (b.bad()) sent.hard.show(), b.show("in_x_i", (bench::i128)sent.x, XW);
 }
 
 } // namespace
@@ -54,50 +69,42 @@ uint64_t rounds(u128 x) {
 int main(int argc, char **argv) {
     bench::Bench<Vrt_isqrt> b("tb_isqrt", argc, argv, 200000);
     Vrt_isqrt &t = b.dut;
+    constexpr int ROUNDS = (XW / 2 + STEP - 1) / STEP, INTERVAL = ROUNDS / STAGES + 1;
     hard::Source source(
         b.seed, [](const sph_profile &p) { return 2 * (p.w + p.wd) == XW; },
         [](const hard::Case &c) { return c.disc && !(c.disc >> XW); });
     source.limit(b);
-    hard::Case hard, hard_inside;
-    u128 x = 0, inside = 0;
+    std::deque<Sent> under_way;
+    Sent offer{};
     bool offered = false;
-    unsigned gaps = 0, stalls = 0;
-    long sent = 0, taken = 0;
-    uint64_t due = 0; /* cycle of the result */
-    t.in_valid_i = t.out_ready_i = 0;
+    unsigned gaps = 0;
+    long sent = 0;
+    uint64_t free = 0; /* the clock from which a radicand is taken */
+    t.in_valid_i = 0;
     b.reset();
     while (b.more()) {
-        if (b.cycle % 4096 == 0) {
-            gaps = (unsigned)b.random.below(3) * 30;
-            stalls = (unsigned)b.random.below(3) * 40;
-        }
+        if (b.cycle % 4096 == 0) gaps = (unsigned)b.random.below(3) * 30;
         if (!offered && (offered = !b.random.percent(gaps))) {
-            x = source.next(hard) ? hard.disc : radicand(b.random, sent++);
+            offer.x = source.next(offer.hard) ? offer.hard.disc : radicand(b.random, sent++);
+            offer.tag = b.random.below(1U << TAG);
         }
         t.in_valid_i = offered;
-        b.set(t.in_x_i, XW, (bench::i128)x);
-        t.out_ready_i = !b.random.percent(stalls);
+        t.in_tag_i = static_cast<uint8_t>(offer.tag);
+        b.set(t.in_x_i, XW, (bench::i128)offer.x);
         b.settle();
-        if (t.out_valid_o) { /* compared in every clock in which it waits */
-            int inexact;
-            uint64_t root = sph_isqrt_bits(inside, BITS, &inexact);
-            if (b.vectors == taken) b.fail("a result that nobody asked for");
-            if (b.cycle < due) b.fail("too early");
-            if (BITS ? t.out_shift_o > XW / 2 - BITS : t.out_shift_o)
-                b.fail("out_shift_o: longer than the bits that are left out");
-            b.expect("out_root_o", (bench::i128)b.get(t.out_root_o) << t.out_shift_o,
-                     (bench::i128)root, XW / 2);
-            b.expect("out_inexact_o", t.out_inexact_o, inexact, 1);
-            if (b.bad()) hard_inside.show(), b.show("in_x_i", (bench::i128)inside, XW);
-            if (t.out_ready_i) b.done();
+        if (t.in_ready_o != (b.cycle >= free)) b.fail("in_ready_o: not each INTERVAL clocks");
+        bool due = !under_way.empty() && b.cycle == under_way.front().due;
+        if (t.out_valid_o != due) b.fail("out_valid_o: not ROUNDS + 1 clocks behind its radicand");
+        if (due) {
+            compare(b, under_way.front());
+            under_way.pop_front();
+            b.done();
         }
-        if (!t.out_valid_o && b.vectors < taken && b.cycle >= due) b.fail("too late");
         if (offered && t.in_ready_o) {
-            inside = x;
-            due = b.cycle + 1 + rounds(x);
-            hard_inside = hard;
+            offer.due = b.cycle + ROUNDS + 1;
+            free = b.cycle + INTERVAL;
+            under_way.push_back(offer);
             offered = false;
-            taken++;
         }
         b.tick();
     }

@@ -240,18 +240,19 @@ class Source {
 
 using Bench = bench::Bench<Vrt_filter>;
 
-void drive(Bench &b, const Vector &v) {
+/* The axes of a ray come a clock behind it: those of the vector before are driven. */
+void drive(Bench &b, const Vector &v, const struct sph_across &before) {
     Vrt_filter &t = b.dut;
     t.in_valid_i = 1;
     b.set(t.in_org_x_i, FW, v.ray.forg[0]);
     b.set(t.in_org_y_i, FW, v.ray.forg[1]);
     b.set(t.in_org_z_i, FW, v.ray.forg[2]);
     t.in_least_i = (unsigned char)(3 - v.ray.across.axis_a - v.ray.across.axis_b);
-    b.set(t.in_p_a_i, 18, v.ray.across.p_a);
-    b.set(t.in_p_b_i, 18, v.ray.across.p_b);
-    b.set(t.in_q_x_i, 18, v.ray.across.q[0]);
-    b.set(t.in_q_y_i, 18, v.ray.across.q[1]);
-    b.set(t.in_q_z_i, 18, v.ray.across.q[2]);
+    b.set(t.s1_p_a_i, 18, before.p_a);
+    b.set(t.s1_p_b_i, 18, before.p_b);
+    b.set(t.s1_q_x_i, 18, before.q[0]);
+    b.set(t.s1_q_y_i, 18, before.q[1]);
+    b.set(t.s1_q_z_i, 18, before.q[2]);
     t.in_axis_i = (unsigned char)v.ray.axis;
     t.in_negative_i = v.ray.negative != 0;
     b.set(t.in_depth_max_i, FW + 1, v.depth_max);
@@ -264,7 +265,7 @@ void drive(Bench &b, const Vector &v) {
 void show(Bench &b, const Vector &s) {
     s.hard.show();
     static const char *names[4][3] = {{"in_org_x_i", "in_org_y_i", "in_org_z_i"},
-                                      {"in_q_x_i", "in_q_y_i", "in_q_z_i"},
+                                      {"s1_q_x_i", "s1_q_y_i", "s1_q_z_i"},
                                       {"in_ctr_x_i", "in_ctr_y_i", "in_ctr_z_i"},
                                       {"exact ctr x", "exact ctr y", "exact ctr z"}};
     static const char *rays[2][3] = {{"exact org x", "exact org y", "exact org z"},
@@ -273,8 +274,8 @@ void show(Bench &b, const Vector &s) {
         b.show(names[0][i], s.ray.forg[i], FW);
     for (int i = 0; i < 3; i++)
         b.show(names[1][i], s.ray.across.q[i], 18);
-    b.show("in_p_a_i", s.ray.across.p_a, 18);
-    b.show("in_p_b_i", s.ray.across.p_b, 18);
+    b.show("s1_p_a_i", s.ray.across.p_a, 18);
+    b.show("s1_p_b_i", s.ray.across.p_b, 18);
     b.show("in_least_i", 3 - s.ray.across.axis_a - s.ray.across.axis_b, 2);
     b.show("in_axis_i", s.ray.axis, 2);
     b.show("in_negative_i", s.ray.negative, 1);
@@ -300,7 +301,7 @@ int main(int argc, char **argv) {
     Vrt_filter &t = b.dut;
     while (b.more()) {
         Vector v = source.next();
-        drive(b, v);
+        drive(b, v, sent.empty() ? v.ray.across : sent.back().ray.across);
         sent.push_back(v);
         b.tick();
         if (sent.size() < LATENCY) continue;

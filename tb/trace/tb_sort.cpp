@@ -44,6 +44,7 @@ int main(int argc, char **argv) {
         bench::u128 near = 0;
         for (int i = 3; i >= 0; i--)
             near = near << 16 | (uint16_t)v.near[i];
+        b.dut.in_valid_i = 1;
         b.set(b.dut.hit_i, 4, v.hit);
         b.set(b.dut.near_i, 64, (bench::i128)near);
         sent.push(v);

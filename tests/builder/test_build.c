@@ -12,7 +12,7 @@
 #include "builder/tree/tree.h"
 #include "validate/describe.h"
 
-static const int trees[] = {SPH_TREE_PAPER, SPH_TREE_BALANCED, SPH_TREE_REINSERTED};
+static const int trees[] = {SPH_TREE_PAPER, SPH_TREE_BALANCED, SPH_TREE_REINSERTED, SPH_TREE_HW};
 
 static int32_t child_field(const uint32_t *line, int child, int lsb, int width) {
     return sph_field_signed(line, child * SPH_CHILD_STRIDE + lsb, width);

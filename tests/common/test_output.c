@@ -10,9 +10,13 @@
 #include <dirent.h>
 #include <dlfcn.h>
 #include <errno.h>
+#include <fcntl.h>
 #include <pthread.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/random.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -78,34 +82,125 @@ static void two_threads_write_one_file(void **state) {
     assert_null(failed);
 }
 
-/* Two containers have processes of one number: no name is made of it. A link that stands at a name
- * is not followed: each name is new. */
-static void names_are_new(void **state) {
-    (void)state;
-    char one[128], two[128];
-    int first = sph_output_beside(one, sizeof one, path, "tmp");
-    int second = sph_output_beside(two, sizeof two, path, "tmp");
-    assert_true(first >= 0 && second >= 0 && strcmp(one, two) != 0);
-    close(first), close(second);
-    unlink(one), unlink(two);
-    sph_output_forget(one), sph_output_forget(two);
-    assert_int_equal(sph_output_beside(one, 20, path, "tmp"), -1);
+/* ---- the C library's calls, unless they are to fail ---- */
+static const char *fails;  /* the one that does */
+static int cause, numbers; /* with which errno; draws of a number that give the same one */
+enum { NUMBER = 7 };
+
+/* Sets `real` of a function to the next one of its name; ends it if it is to fail. */
+#define REAL(name, failed)                                                                         \
+    void *found = dlsym(RTLD_NEXT, #name);                                                         \
+    memcpy(&real, &found, sizeof real);                                                            \
+    if (fails && !strcmp(fails, #name)) return errno = cause, failed
+
+int open(const char *name, int flags, ...) {
+    int (*real)(const char *, int, ...);
+    va_list more;
+    va_start(more, flags);
+    mode_t mode = flags & O_CREAT ? va_arg(more, mode_t) : 0;
+    va_end(more);
+    REAL(open, -1);
+    return real(name, flags, mode);
 }
 
-static void old_names_are_not_followed(void **state) {
+FILE *fdopen(int fd, const char *mode) {
+    FILE *(*real)(int, const char *);
+    REAL(fdopen, NULL);
+    return real(fd, mode);
+}
+
+int fsync(int fd) {
+    int (*real)(int);
+    REAL(fsync, -1);
+    return real(fd);
+}
+
+int fclose(FILE *file) {
+    int (*real)(FILE *);
+    void *close_it = dlsym(RTLD_NEXT, "fclose");
+    memcpy(&real, &close_it, sizeof real);
+    int rc = real(file); /* one that fails closes, too */
+    return fails && !strcmp(fails, "fclose") ? errno = cause, EOF : rc;
+}
+
+int rename(const char *from, const char *to) {
+    int (*real)(const char *, const char *);
+    REAL(rename, -1);
+    return real(from, to);
+}
+
+ssize_t getrandom(void *bytes, size_t n, unsigned flags) {
+    ssize_t (*real)(void *, size_t, unsigned);
+    REAL(getrandom, -1);
+    if (numbers <= 0) return real(bytes, n, flags);
+    numbers--;
+    memset(bytes, 0, n);
+    *(unsigned char *)bytes = NUMBER;
+    return (ssize_t)n;
+}
+
+/* Files of the folder. */
+static int files(void) {
+    DIR *d = opendir(folder);
+    int n = -2; /* . and .. */
+    assert_non_null(d);
+    while (readdir(d))
+        n++;
+    closedir(d);
+    return n;
+}
+
+static int lowest_descriptor(void) {
+    int fd = dup(0);
+    close(fd);
+    return fd;
+}
+
+/* Two containers have processes of one number, which may even draw the same one. What stands at a
+ * temporary name, a link or a file, is not followed, opened, or removed. */
+static void names_are_new(void **state) {
     (void)state;
-    char link[128], victim[96];
+    char planted[128], victim[96];
+    struct stat st;
     snprintf(victim, sizeof victim, "%s/victim", folder);
-    snprintf(link, sizeof link, "%s.%ld.tmp", path, (long)getpid());
+    snprintf(planted, sizeof planted, "%s.%016x.tmp", path, NUMBER);
     FILE *file = fopen(victim, "wb");
     assert_non_null(file);
     fclose(file);
-    assert_int_equal(symlink(victim, link), 0);
-    assert_int_equal(write_whole('d'), 0);
-    struct stat st;
-    assert_int_equal(stat(victim, &st), 0);
-    assert_int_equal(st.st_size, 0);
-    unlink(link), unlink(victim);
+    for (int hard = 0; hard < 2; hard++) {
+        assert_int_equal(hard ? link(victim, planted) : symlink(victim, planted), 0);
+        numbers = 3;
+        assert_int_equal(write_whole('d'), 0);
+        assert_int_equal(numbers, 0); /* the planted name was tried */
+        assert_int_equal(letters(), SIZE);
+        assert_int_equal(stat(victim, &st), 0);
+        assert_int_equal(st.st_size, 0);
+        assert_int_equal(unlink(planted), 0);
+    }
+    unlink(victim);
+    struct sph_output one, two;
+    assert_int_equal(sph_output_open(&one, path, NULL), 0);
+    assert_int_equal(sph_output_open(&two, path, NULL), 0);
+    assert_string_not_equal(one.temporary, two.temporary);
+    sph_output_close(&one, 1, NULL), sph_output_close(&two, 1, NULL);
+}
+
+/* One that is written by its name, of the ending that its writer goes by. */
+static void another_may_write_it(void **state) {
+    (void)state;
+    struct sph_output out;
+    struct sph_error err = {""};
+    assert_int_equal(sph_output_open_named(&out, path, "tmp.gif", &err), 0);
+    assert_string_equal(out.temporary + strlen(out.temporary) - 8, ".tmp.gif");
+    FILE *file = fopen(out.temporary, "wb");
+    assert_non_null(file);
+    for (int i = 0; i < SIZE; i++)
+        putc('f', file);
+    fclose(file);
+    assert_int_equal(sph_output_close(&out, 0, &err), 0);
+    assert_int_equal(letters(), SIZE);
+    assert_int_equal(sph_output_open_named(&out, "/dev/null", "tmp.gif", &err), -1);
+    assert_string_equal(err.text, "/dev/null: is a device, not a file");
 }
 
 static void rights_are_those_of_a_new_file(void **state) {
@@ -127,50 +222,56 @@ static void a_failed_one_leaves_nothing(void **state) {
     assert_int_equal(access(out.temporary, F_OK), -1);
 }
 
-/* The C library's, unless it is to fail. */
-static int no_stream;
-FILE *fdopen(int fd, const char *mode) {
-    FILE *(*real)(int, const char *);
-    void *found = dlsym(RTLD_NEXT, "fdopen");
-    memcpy(&real, &found, sizeof real);
-    if (no_stream) return errno = ENOMEM, NULL;
-    return real(fd, mode);
-}
-
-/* Files of the folder but . and .. */
-static int files(void) {
-    DIR *d = opendir(folder);
-    int n = 0;
-    assert_non_null(d);
-    while (readdir(d))
-        n++;
-    closedir(d);
-    return n - 2;
-}
-
-static void one_without_a_stream_leaves_nothing(void **state) {
+/* Each call of the system that fails is told, by the file and the cause; what was there before is
+ * whole, and nothing else is there, no file, no open descriptor. */
+static void each_failed_call_is_told(void **state) {
     (void)state;
-    struct sph_output out;
-    struct sph_error err = {""};
-    int before = files(), lowest = dup(0);
-    close(lowest);
-    no_stream = 1;
-    assert_int_equal(sph_output_open(&out, path, &err), -1);
-    no_stream = 0;
-    assert_non_null(strstr(err.text, strerror(ENOMEM)));
-    assert_int_equal(files(), before);
-    int now = dup(0);
-    close(now);
-    assert_int_equal(now, lowest); /* no descriptor is left open */
+    static const struct {
+        const char *call;
+        int cause, told; /* 0: none */
+    } rows[] = {
+        {"getrandom", ENOSYS, ENOSYS}, {"open", EACCES, EACCES}, /* a folder that takes no file */
+        {"open", EEXIST, EEXIST},                                /* of whatever name */
+        {"fdopen", ENOMEM, ENOMEM},    {"write", EFBIG, EFBIG},
+        {"fsync", EIO, EIO},           {"fsync", EINVAL, 0}, /* there is nothing to wait for */
+        {"fclose", EDQUOT, EDQUOT},    {"rename", EPERM, EPERM},
+    };
+    const struct rlimit small = {SIZE / 2, RLIM_INFINITY}, any = {RLIM_INFINITY, RLIM_INFINITY};
+    assert_int_equal(write_whole('a'), 0);
+    signal(SIGXFSZ, SIG_IGN);
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        struct sph_output out;
+        struct sph_error err = {""};
+        int before = files(), lowest = lowest_descriptor(), rc;
+        fails = rows[i].call, cause = rows[i].cause;
+        if (!strcmp(fails, "write")) setrlimit(RLIMIT_FSIZE, &small);
+        rc = sph_output_open(&out, path, &err);
+        for (int k = 0; k < SIZE && !rc; k++)
+            putc(rows[i].told ? 'z' : 'a', out.file);
+        if (!rc) rc = sph_output_close(&out, 0, &err);
+        setrlimit(RLIMIT_FSIZE, &any);
+        fails = NULL;
+        char told[256] = "";
+        if (rows[i].told) snprintf(told, sizeof told, "%s: %s", path, strerror(rows[i].told));
+        if (rc != (rows[i].told ? -1 : 0) || strcmp(err.text, told) != 0)
+            fail_msg("%s: %d, says '%s', not '%s'", rows[i].call, rc, err.text, told);
+        FILE *file = fopen(path, "rb");
+        assert_non_null(file);
+        assert_int_equal(getc(file), 'a');
+        fclose(file);
+        assert_int_equal(letters(), SIZE);
+        assert_int_equal(files(), before);
+        assert_int_equal(lowest_descriptor(), lowest);
+    }
 }
 
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(two_threads_write_one_file),
         cmocka_unit_test(names_are_new),
-        cmocka_unit_test(old_names_are_not_followed),
+        cmocka_unit_test(another_may_write_it),
         cmocka_unit_test(a_failed_one_leaves_nothing),
-        cmocka_unit_test(one_without_a_stream_leaves_nothing),
+        cmocka_unit_test(each_failed_call_is_told),
         cmocka_unit_test(rights_are_those_of_a_new_file),
     };
     cmocka_set_message_output(CM_OUTPUT_TAP);

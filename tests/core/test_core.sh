@@ -256,8 +256,8 @@ wanted "icarus interpenetrating draft:wd=14,ng=1,pr=7" auto SIM=icarus "$short"
 # Other bits a clock: the same frame and counters, other cycles.
 "$SPHAERA" build scenes/paper5.nff --profile draft --size 8x6 -o "$machines/steps.sph" \
     >"$TMP/build" 2>&1 || check "steps" cat "$TMP/build"
-for steps in "ROOT_STEP=2 QUOTIENT_STEP=2" "ROOT_STEP=5 QUOTIENT_STEP=2" \
-    "ROOT_STEP=2 QUOTIENT_STEP=1"; do
+for steps in "ROOT_STEP=1 QUOTIENT_STEP=2" "ROOT_STEP=5 QUOTIENT_STEP=2" \
+    "ROOT_STEP=1 QUOTIENT_STEP=1"; do
     wanted "icarus paper5 $steps" auto "SIM=icarus $steps" "$machines/steps.sph"
 done
 
@@ -271,11 +271,11 @@ cycles() { # steps: cycles of the same stimulus
 }
 fewer() { echo "$1 $2" && [ "$1" -gt 0 ] && [ "$1" -lt "$2" ]; }
 [ -n "$CORE" ] || {
-    usual=$(cycles ROOT_STEP=2 QUOTIENT_STEP=2)
+    usual=$(cycles ROOT_STEP=1 QUOTIENT_STEP=2)
     check "roots of 5 bits a clock take fewer cycles" fewer \
         "$(cycles ROOT_STEP=5 QUOTIENT_STEP=2)" "$usual"
     check "quotients of 1 bit a clock take more" fewer "$usual" \
-        "$(cycles ROOT_STEP=2 QUOTIENT_STEP=1)"
+        "$(cycles ROOT_STEP=1 QUOTIENT_STEP=1)"
 }
 
 # Two profiles without a name, the machine of one on the core of the other.

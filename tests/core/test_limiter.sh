@@ -11,13 +11,13 @@ cat >"$TMP/shown" <<'END'
 rt_blends       rt_blend, rt_colour
 rt_cache        rt_traverse, rt_bih, rt_leaf_unit, rt_texture
 rt_divide       rt_facet_key
-rt_isqrt        rt_root_pool, rt_refract
+rt_isqrt        rt_sphere_key, rt_refract
 rt_longitude    rt_sphere_uv
-rt_pool         whose units it hands out: rt_root_pool, rt_quotient_pool, rt_sphere_uv
+rt_pool         whose units it hands out: rt_quotient_pool, rt_sphere_uv
 rt_quotient     rt_quotient_pool
 rt_setup        rt_unit, rt_unit_four, rt_across
 rt_shares       rt_share
-rt_sphere       rt_leaf, rt_root_pool
+rt_sphere       rt_leaf, rt_sphere_key
 rt_units        rt_unit, rt_unit_four
 rt_vectors      rt_unit, rt_unit_four
 rt_background   rt_pixel_scan

@@ -119,7 +119,7 @@ fault filter trace/rt_filter.v "s6_p_q <= s5_p_q[17-F +: MW] ^ {MW{s5_p_q[33]}};
     "s6_p_q <= s5_p_q[17-F +: MW] ^ {MW{!s5_p_q[33]}};"
 more sphere prim/rt_leaf_two.v "val_q <= xy_sum[VW:1];" \
     "val_q <= xy_sum[VW:1] ^ {{(VW-1){1'b0}}, xy_sub};"
-fault key prim/rt_root_pool.v ": b_q - wide;" ": b_q - wide - 1'b1;"
+fault key prim/rt_sphere_key.v "b + (out_far_o" "b - 1'b1 + (out_far_o"
 more quotient math/rt_quotient.v "mant_q[MW-1 -: PQ];" "mant_q[MW-1 -: PQ] ^ 17'd1;"
 more point shade/rt_hit.v "{s4_org[KB:1], 1'b1}" "{s4_org[KB:1], 1'b0}"
 more normal shade/rt_hit.v ".out_x_o(out_normal_x_o), .out_y_o(out_normal_y_o)" \

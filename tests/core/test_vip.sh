@@ -61,7 +61,7 @@ cp -r rtl "$TMP/bad"
 plant() { python3 -m lab faults edit "$TMP/bad/$1" "$2" "$3"; } # file, from, to
 check "a fault of the quotient is planted" plant math/rt_quotient.v \
     "mant_q[MW-1 -: PQ];" "mant_q[MW-1 -: PQ] ^ 1'b1;"
-check "... and one of keys" plant prim/rt_root_pool.v ": b_q - wide;" ": b_q - wide - 1'b1;"
+check "... and one of keys" plant prim/rt_sphere_key.v "b + (out_far_o" "b - 1'b1 + (out_far_o"
 check "units: built" bench rtl units_tb "$TMP/units"
 check "... all are the model's" sound "$TMP/units/Vunits_tb"
 check "units with faults: built" bench "$TMP/bad" units_tb "$TMP/units-bad"

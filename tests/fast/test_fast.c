@@ -111,7 +111,8 @@ static void every_scene(void **state) {
     static const char *const patterns[] = {"scenes/*.nff", "scenes/facets/*.nff",
                                            "scenes/refraction/*.nff", "tests/scenes/facets/*.nff"};
     static const int trees[] = {SPH_TREE_PAPER, SPH_TREE_BALANCED, SPH_TREE_REINSERTED,
-                                SPH_TREE_BIH,   SPH_TREE_BRUTE,    SPH_TREE_BOX4};
+                                SPH_TREE_BIH,   SPH_TREE_BRUTE,    SPH_TREE_BOX4,
+                                SPH_TREE_HW};
     int drawn = 0;
     struct scene_list found = list_scenes(patterns, sizeof patterns / sizeof *patterns);
     (void)state;

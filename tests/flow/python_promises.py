@@ -155,8 +155,30 @@ def arrays():
     assert machine.render().hash == sphaera.parse(text).build(profile="fine").render().hash
     scene.write("arrays.nff")
     assert sphaera.read("arrays.nff").build(profile="fine").render().hash == machine.render().hash
+    images = [f"{ROOT}/scenes/texture/{name}.png" for name in ("globe", "letter")]
+    st = [[[0, 0], [1, 0], [0.5, 1]]]
+    textured = sphaera.scene_of(spheres=balls, sphere_materials=[1, 0], triangles=floor, st=st,
+                                materials=stuff, textures=images, triangle_textures=[1],
+                                sphere_textures=[sphaera.NONE, 0], lights=[[4, 6, 8]],
+                                background=(0.1, 0.2, 0.3), **view)
+    corners = "".join(f"{x} {y} {z} {s} {t}\n"
+                      for (x, y, z), (s, t) in zip(floor[0], st[0]))
+    told = text.replace("plane 0 -2 0 0 1 0\n", "").replace(
+        "s 1.5", f"texture {images[0]} 1 1\ns 1.5").replace(
+            "p 3 -4 -1 -4 4 -1 -4 0 -1 5\n", f"tt {images[1]}\n{corners}")
+    drawn = [each.build(profile="fine").render() for each in (textured, sphaera.parse(told))]
+    assert drawn[0].hash == drawn[1].hash and drawn[0].counters["texels"] > 0
+    textured.write("textured.nff")
+    assert sphaera.read("textured.nff").build(profile="fine").render().hash == drawn[0].hash
     make, nan = sphaera.scene_of, float("nan")
     for pattern, words in (
+            (r"triangle_textures\[0\]: 2 is none of 2 textures", {
+                "triangles": floor, "textures": images, "st": st, "triangle_textures": [2]}),
+            ("st is NULL", {
+                "triangles": floor, "textures": images, "triangle_textures": [0]}),
+            (r"st\[0\]: corner 1 s is nan", {
+                "triangles": floor, "st": [[[0, 0], [nan, 0], [0, 0]]]}),
+            (r"textures\[0\]: the name of the image file is empty", {"textures": [""]}),
             (r"spheres\[1\]: radius is 0", {"spheres": [[0, 0, 0, 1], [0, 0, 0, 0]]}),
             (r"spheres\[0\]: y is nan", {"spheres": [[0, nan, 0, 1]]}),
             (r"sphere_materials\[0\]: 2 is none of 2", {"spheres": balls[:1],
@@ -225,11 +247,17 @@ def options():
                   {"accel": "bih", "max_prims": 1, "max_tree_depth": 8, "bih": "listing"},
                   {"accel": "box4", "axes": "scene"}, {"least_weight": 0.5}, {"inside": True},
                   {"traverse": "first", "inside": True, "interpenetrate": True},
-                  {"accel": "bih", "bih_fit": float("inf")}, {"samples": 2}):
+                  {"accel": "bih", "bih_fit": float("inf")}, {"samples": 2},
+                  {"shift": (0.1, 0)}, {"eye": (0.5, 0, 0)}, {"wall": (2, 2, 0, 1)}):
         other = scene.build(**size, **words)
         assert other.registers.tolist() != plain.registers.tolist() or \
             other.memory.tolist() != plain.memory.tolist(), words
     assert scene.build(**size, samples=2).width == 128
+    aimed = scene.build(**size, shift=(0.1, 0), eye=(0.5, 0.2, 0.1), wall=(2, 2, 1, 0)).render()
+    said = subprocess.run([TOOL, "render", PAPER5, "--profile", "standard", "--size", "64x48",
+                           "--shift", "0.1,0", "--eye-shift", "0.5,0.2,0.1", "--wall", "2x2:1,0",
+                           "--json", "-"], check=True, text=True, stdout=subprocess.PIPE).stdout
+    assert json.loads(said)["frame"]["hash"] == f"{aimed.hash:016x}"
     ball = sphaera.scene_of(spheres=[[0, 0, 0, 1], [0, 0, -4, 1]], lights=[[0, 0, 9]],
                             eye=(0, 0, 5))  # whose shadow nobody sees
     assert ball.build().parameters["SHADOW"] == 1
@@ -243,6 +271,11 @@ def options():
                            ("filter is 'x', none of nearest, bilinear", {"filter": "x"}),
                            ("lights is 9, not -1 to 8", {"lights": 9}),
                            ("least_weight is nan", {"least_weight": float("nan")}),
+                           ("wall is 2, not 0 to 1", {"wall": (2, 2, 2, 0)}),
+                           ("wall is 0, not 1 to", {"wall": (2, 0, 0, 0)}),
+                           ("shift is nan", {"shift": (0, float("nan"))}),
+                           ("eye is inf", {"eye": (0, float("inf"), 0)}),
+                           ("the eye cannot move", {"eye": (0, 0, -1e6)}),
                            ("samples is 17", {"samples": 17}), ("clear is 3", {"clear": 3}),
                            ("error_pixels is -1", {"error_pixels": -1}),
                            ("lod_bits is 9", {"lod_bits": 9}),
@@ -505,7 +538,36 @@ def interrupts():
         assert path.read_bytes() == Path("whole.png").read_bytes()
 
 
+def builds():
+    """A build that is cancelled, by its function or by Ctrl-C, asks hardly once more whether it
+    goes on: in a BIH, and while profile and tree are measured."""
+    for name, words in (("random:30000", {"profile": "standard", "accel": "bih"}),
+                        ("random:1000", {"width": 160, "height": 90})):
+        scene, calls, after = sphaera.read(name), [], 5
+
+        def asked(*_, calls=calls):
+            calls.append(0)
+            return len(calls) == after
+
+        def interrupts_itself(*_, calls=calls):
+            calls.append(0)
+            if len(calls) == after:
+                os.kill(os.getpid(), signal.SIGINT)
+            if len(calls) >= after:
+                time.sleep(0.1)
+
+        scene.build(progress=lambda *_, calls=calls: calls.append(0), **words)
+        assert len(calls) > 4 * after, (name, len(calls))
+        calls.clear()
+        refused(sphaera.Error, "^cancelled$", scene.build, progress=asked, **words)
+        assert len(calls) <= after + 2, (name, len(calls))
+        calls.clear()
+        refused(KeyboardInterrupt, "", scene.build, progress=interrupts_itself, **words)
+        assert len(calls) <= after + 2, (name, len(calls))
+
+
 if __name__ == "__main__":  # a child that is spawned reads this file too
     for promise in (declarations, words, frames, ray, arrays, batches, options, core, stages,
-                    verify, errors, threads, strict, pickled, children, interrupts):
+                    verify, errors, threads, strict, pickled, children, interrupts,
+                    builds):
         promise()

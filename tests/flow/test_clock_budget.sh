@@ -9,9 +9,8 @@ set -u
 . "$(dirname "$0")/../tap.sh"
 cd "$(dirname "$0")/../.." || exit 1
 BUILD=${BUILD:-build}
-# from lab.study.experiment: installed whole
 if ! command -v yosys >"$TMP/which" ||
-    ! { command -v nextpnr-ecp5 >"$TMP/which" || [ -e "$BUILD/study/venv/done" ]; }; then
+    ! { command -v nextpnr-ecp5 >"$TMP/which" || [ -x "$BUILD/study/pnr/nextpnr-ecp5" ]; }; then
     echo "ok 1 - # SKIP no yosys, or no nextpnr-ecp5: make study-pnr"
     echo "1..1"
     exit 0

@@ -51,8 +51,24 @@ check "it is in every clock what it replaces" beside examples/asic/rt_slot_ram.v
 differs() { ! beside "$TMP/hasty.v" && grep -q '^[1-9][0-9]* of 4000 clocks differ' "$TMP/said"; }
 check "... and not if a read does not take the word that waits" differs
 
+# ---- large files of registered reads, in a family that has no others ----
+falling() { # edge
+    sed "s/@(negedge clk)/@($1 clk)/" rtl/memory/rt_slot_file.v >"$TMP/file.v"
+    sed "s,^rtl/memory/rt_slot_file.v,$TMP/file.v," rtl/sphaera.f >"$TMP/falling.f"
+    silent iverilog -g2005 -Wall -DRT_FALLING_BITS=1024 -f "$TMP/falling.f" -s minimal \
+        -o "$TMP/minimal" examples/minimal/minimal.v && icarus "$TMP"
+}
+check "with large files that are read at the falling edge it draws it, too" falling negedge
+late() { # it waits for ever
+    ! (icarus() { (cd "$1" && timeout 5 vvp -n "$TMP/minimal" && drawn .); } && falling posedge) &&
+        [ ! -s "$TMP/said" ]
+}
+check "... and not if they are read at the rising one" late
+
 check "Verilator takes rtl/sphaera.f in silence" silent verilator --lint-only --timing \
     --language 1364-2005 --top-module minimal -f rtl/sphaera.f examples/minimal/minimal.v
+check "... and with large files of registered reads" silent verilator --lint-only --timing -Wall \
+    -DRT_FALLING_BITS=1024 --language 1364-2005 --top-module rt_core -f rtl/sphaera.f
 sed -n 's/^    //; /^files=/p; /^yosys /p' docs/reference/core.md >"$TMP/yosys.sh"
 check "the page has lines for Yosys" [ "$(wc -l <"$TMP/yosys.sh")" = 2 ]
 check "... which take every module" sh -c "sh '$TMP/yosys.sh' >'$TMP/said' 2>&1 ||

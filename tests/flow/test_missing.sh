@@ -19,6 +19,15 @@ PATH=$TMP:$PATH env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL make -n V=1 B="$TMP/b" t
 check "the tool would be built" grep -q -- "-o .*new.*b/sphaera" "$TMP/plan"
 check "... without them" sh -c "! grep -E 'OpenImageIO|assimp|SDL2|image/.*[.]cpp' '$TMP/plan'"
 
+# ---- what no build does without ----
+asked() { # goal, package: without it make says what installs it
+    printf '#!/bin/sh\ncase "$*" in *%s*) exit 1 ;; esac\n' "$2" >"$TMP/pkg-config"
+    ! PATH=$TMP:$PATH env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL make -n B="$TMP/b" $1 \
+        2>"$TMP/err" && grep "installed: make setup ${1%% *}[.]" "$TMP/err"
+}
+check "without libraries make asks for them" asked tool expat
+check "without cmocka make test does" asked "test ONLY=test_facet" cmocka
+
 # ---- the tool alone ----
 mkdir "$TMP/alone"
 cp "$SPHAERA" "$TMP/alone/sphaera"
@@ -34,7 +43,8 @@ says() { # words; the command fails with exit code 1 and says them
     fails 1 "$words" "$@"
     check "... in words" grep -q "$words" "$TMP/err"
 }
-says "needs OpenImageIO" "$tool" render "$root/scenes/texture/kitchen.nff" --size 16x9 -o x.png
+says "needs OpenImageIO (make images-setup)" "$tool" render "$root/scenes/texture/kitchen.nff" \
+    --size 16x9 -o x.png
 says "m.obj: meshes are read by assimp, without which this was built" "$tool" render m.obj -o x.png
 check "nothing is written" [ ! -e x.png ]
 done_testing

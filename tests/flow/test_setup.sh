@@ -99,6 +99,11 @@ env -i PATH="$TMP/bin" HOME="$TMP" make --no-print-directory setup >"$TMP/text" 
 check "without compilers make setup installs them" has gcc "$TMP/installed"
 check "... and prints no error" silent
 
+# ---- other releases ----
+unknown() { ! python3 -m lab matrix "$TMP/m" "$TMP/page" wheezy 2>"$TMP/err" && has \
+    'matrix: there is no wheezy; there are bookworm, trixie, noble' "$TMP/err"; }
+check "make matrix knows its releases" unknown
+
 # ---- what is compiled shares a line of a terminal, and has lines elsewhere ----
 cr=$(printf '\r')
 b=$(sh sim/folder.sh "$TMP/b") # as make names it

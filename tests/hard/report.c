@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "campaign.h"
+#include "common/file.h"
 
 /* "hit/root/order, worst error" of a formula; `-` where nothing is wrong. */
 static void cell(FILE *out, const struct hard_column *column) {
@@ -76,7 +77,7 @@ static json_t *row_json(int i, const struct hard_tally *t) {
 }
 
 int report_json(const struct campaign *c, const char *path, struct sph_error *err) {
-    char name[4096];
+    struct sph_output out;
     json_t *rows = json_array();
     for (int i = 0; i < HARD_ROWS; i++)
         if (c->row[i].cases) json_array_append_new(rows, row_json(i, &c->row[i]));
@@ -84,8 +85,12 @@ int report_json(const struct campaign *c, const char *path, struct sph_error *er
         json_pack("{s:I, s:I, s:I, s:f, s:I, s:o}", "seed", (json_int_t)c->seed, "cases_a_profile",
                   (json_int_t)c->cases, "first", (json_int_t)c->first, "seconds", c->seconds,
                   "cases_of_this_run", (json_int_t)c->done, "rows", rows);
-    snprintf(name, sizeof name, "%s.new", path);
-    int failed = !all || json_dump_file(all, name, JSON_INDENT(1)) || rename(name, path);
+    int rc = sph_output_open(&out, path, err);
+    if (!rc) {
+        int bad = json_dumpf(all, out.file, JSON_INDENT(1));
+        if (bad && !ferror(out.file)) sph_fail(err, "%s: no memory", path);
+        rc = sph_output_close(&out, bad && !ferror(out.file), err);
+    }
     json_decref(all);
-    return failed ? sph_fail(err, "%s: cannot be written", path) : 0;
+    return rc;
 }

@@ -1,6 +1,6 @@
 # silicon.py - checks of lab/silicon: libraries, tables of memories, cells beside Icarus, a report
 # SPDX-License-Identifier: Apache-2.0
-"""usage: PYTHONPATH=. tests/lab/silicon.py read|macros|fit|icarus|report [ARGUMENT...]
+"""usage: PYTHONPATH=. tests/lab/silicon.py read|macros|fit|budget|icarus|report [ARGUMENT...]
 
 Each says what is wrong and ends with 1, or says nothing."""
 import ctypes
@@ -12,7 +12,7 @@ import sys
 from pathlib import Path
 
 from lab.pages import data
-from lab.silicon import core, fit, liberty, macros, netlist, program, report
+from lab.silicon import budget, core, fit, liberty, macros, netlist, program, report
 from lab.silicon.function import Function
 
 SMALL = Path("tests/lab/small.lib")
@@ -303,6 +303,30 @@ def energies():
         wrong("no frame is held out")
 
 
+def budgets(folder):
+    """A frame that takes as much as it may, or more; lines of a budget that are none."""
+    found = {"energy": {"busy": {"switching": 3.0, "memories": 4.0}, "idle": {"switching": 2.0}},
+             "blocks": {"rt_isqrt": {"kge": 1.0, "busy": {"switching": 3.0}}}}
+    for limits, within in (({"rt_core": (7, 2), "rt_isqrt": (3, 0)}, [True, True]),
+                           ({"rt_core": (6, 2), "rt_isqrt": (2, 0)}, [False, False]),
+                           ({"rt_core": (7, 1), "rt_none": (9, 9)}, [False, False])):
+        seen = [ok for _, ok in budget.compared(limits, found)]
+        if seen != within:
+            wrong(f"{limits}: {seen}, not {within}")
+    path = Path(folder, "budget.txt")
+    for line in ("rt_isqrt 3", "rt_isqrt 3 many", "rt_isqrt 3 -1"):
+        path.write_text(f"# none\n{line}\n", "utf-8")
+        try:
+            budget.read(path)
+        except SystemExit as error:
+            if str(error).startswith(f"silicon-budget: {path}:2: "):
+                continue
+            wrong(f"{line}: says {error}")
+        wrong(f"{line}: was read")
+    if not budget.read("synth/energy_budget.txt"):
+        wrong("the budget is empty")
+
+
 if __name__ == "__main__":
-    {"read": read, "fit": energies, "macros": tables, "icarus": icarus,
+    {"read": read, "fit": energies, "budget": budgets, "macros": tables, "icarus": icarus,
      "report": said}[sys.argv[1]](*sys.argv[2:])

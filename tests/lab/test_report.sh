@@ -62,6 +62,12 @@ check "... of a core with two pipes" python "$TMP/two" \
     "assert run.parameters['WALKS'] == 2 and len(run.in_flight()) == 96, run.parameters"
 
 check "... the roofline is on the page" grep -q 'limit is <b>[a-z]' "$run/report.html"
+axes() { # numbers: two or more below, on one height, and as many at the left
+    grep -o 'aria-label="roofline".*</svg>' "$1" | grep -oE '<text [^>]*>[0-9.e+-]+<' |
+        sed 's/.* y="\([0-9]*\)".*/\1/' | sort | uniq -c |
+        awk '{ print; if ($1 > 1) below += $1; else left++ } END { exit below < 2 || left < 2 }'
+}
+check "... with numbers on its axes" axes "$run/report.html"
 parted=$TMP/parted # the same with what Verilator says of a part
 cp -r "$run" "$parted"
 python3 - "$parted/report.json" <<'END'

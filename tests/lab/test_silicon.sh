@@ -18,6 +18,7 @@ done
 ours() { PYTHONPATH=. python3 tests/lab/silicon.py "$@"; }
 check "libraries with a mistake are refused, with file and line" ours read "$TMP"
 check "tables of memories too" ours macros "$TMP"
+check "an energy budget is held, or it is told what is over it" ours budget "$TMP"
 check "energies of events: found again, and near frames that were not fitted" ours fit
 
 # ---- cells beside Icarus: every net toggles as often ----

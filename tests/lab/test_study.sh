@@ -67,7 +67,8 @@ cp "$TMP/good" "$file"
 check "sources that change are noticed, a write that breaks leaves nothing" \
     python3 -m lab.checks.jobs "$TMP/folder"
 mkdir "$TMP/whole"
-check "four that write one file at once leave it whole" python3 -m lab.checks.intact "$TMP/whole"
+check "four that write one file at once leave it whole, and so does each call that fails" \
+    python3 -m lab.checks.intact "$TMP/whole"
 
 # ---- jobs that fail or are killed ----
 slow=$TMP/slow

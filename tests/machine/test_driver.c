@@ -45,7 +45,7 @@ static uint32_t parts(uint32_t depth, uint32_t lights, uint32_t cones) {
            cones << SPHAERA_CORE_PARTS_CONES_LSB;
 }
 
-static void opened(struct sphaera *s, struct block *b, uint32_t has, uint32_t bits) {
+static void block(struct block *b, uint32_t has, uint32_t bits) {
     memset(b, 0, sizeof *b);
     b->words[SPHAERA_ID / 4] = SPHAERA_ID_RESET;
     b->words[SPHAERA_VERSION / 4] = SPHAERA_VERSION_RESET;
@@ -53,6 +53,10 @@ static void opened(struct sphaera *s, struct block *b, uint32_t has, uint32_t bi
     b->words[SPHAERA_CORE_EFFECTS / 4] = 3;
     b->words[SPHAERA_CORE_PARTS / 4] = has;
     b->words[SPHAERA_CORE_BUS / 4] = 64 | bits << SPHAERA_CORE_BUS_ADDR_LSB;
+}
+
+static void opened(struct sphaera *s, struct block *b, uint32_t has, uint32_t bits) {
+    block(b, has, bits);
     const struct sphaera_bus bus = {reads, writes, puts_, b};
     assert_int_equal(sphaera_open(s, &bus), SPHAERA_OK);
     b->writes = 0;
@@ -147,6 +151,85 @@ static void load(void **state) {
     }
 }
 
+/* A block of another major version, or none, is left alone; one of another minor version is not. */
+static void versions(void **state) {
+    (void)state;
+    const uint32_t minor = ~(uint32_t)SPHAERA_VERSION_MAJOR;
+    const struct {
+        uint32_t id, version; /* changed bits */
+        int result;
+    } rows[] = {
+        {0, 0, SPHAERA_OK},
+        {0, minor & -minor, SPHAERA_OK},
+        {0, minor, SPHAERA_OK},
+        {0, SPHAERA_VERSION_MAJOR & -(uint32_t)SPHAERA_VERSION_MAJOR, SPHAERA_ABSENT},
+        {0, (uint32_t)SPHAERA_VERSION_MAJOR & ~((uint32_t)SPHAERA_VERSION_MAJOR >> 1),
+         SPHAERA_ABSENT},
+        {1, 0, SPHAERA_ABSENT},
+        {0x80000000, 0, SPHAERA_ABSENT},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        struct block b;
+        struct sphaera s;
+        const struct sphaera_bus bus = {reads, writes, puts_, &b};
+        block(&b, 0, 32);
+        b.words[SPHAERA_ID / 4] ^= rows[i].id;
+        b.words[SPHAERA_VERSION / 4] ^= rows[i].version;
+        const int result = sphaera_open(&s, &bus);
+        if (result != rows[i].result) fail_msg("row %zu: %s", i, sphaera_text(result));
+        if (result) assert_int_equal(b.writes, 0);
+    }
+}
+
+/* Bytes that are no machine file, of this version and size, write nothing. */
+static void files(void **state) {
+    (void)state;
+    const struct {
+        int at;   /* of a byte whose lowest bit changes; -1: none */
+        int more; /* bytes */
+        int result;
+    } rows[] = {
+        {-1, 0, SPHAERA_OK},
+        {0, 0, SPHAERA_BAD_FILE},                                    /* magic */
+        {7, 0, SPHAERA_BAD_FILE},                                    /* its last letter */
+        {SPHAERA_AT_VERSION, 0, SPHAERA_BAD_FILE},                   /* another version */
+        {SPHAERA_AT_HEADER, 0, SPHAERA_BAD_FILE},                    /* another header */
+        {SPHAERA_AT_REGISTERS, 0, SPHAERA_BAD_FILE},                 /* other registers */
+        {SPHAERA_AT_LINES, 0, SPHAERA_BAD_FILE},                     /* a line less than there is */
+        {SPHAERA_AT_LINES + 3, 0, SPHAERA_BAD_FILE},                 /* more than any memory */
+        {-1, 1, SPHAERA_BAD_FILE},                                   /* a byte behind its end */
+        {-1, SPHAERA_LINE_BYTES, SPHAERA_BAD_FILE},                  /* a line behind its end */
+        {-1, -1, SPHAERA_BAD_FILE},                                  /* without its last byte */
+        {-1, -SPHAERA_LINE_BYTES, SPHAERA_BAD_FILE},                 /* without its last line */
+        {-1, -(int)SIZE - SPHAERA_CHECKSUM_BYTES, SPHAERA_BAD_FILE}, /* a header alone */
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        struct block b;
+        struct sphaera s;
+        uint8_t file[BYTES + SIZE + SPHAERA_CHECKSUM_BYTES + SPHAERA_LINE_BYTES] = {0};
+        opened(&s, &b, 0, 32);
+        const uint32_t bytes = made(file, REG(FRAME_W), 1, REG(FRAME_H), 1);
+        if (rows[i].at >= 0) file[rows[i].at] ^= 1;
+        const int result = sphaera_load(&s, file, bytes + (uint32_t)rows[i].more, 0x1000);
+        if (result != rows[i].result) fail_msg("row %zu: %s", i, sphaera_text(result));
+        if (result) assert_int_equal(b.writes + b.puts, 0);
+    }
+}
+
+/* Both words of each counter, low and high. */
+static void counters(void **state) {
+    (void)state;
+    struct block b;
+    struct sphaera s;
+    uint64_t counts[SPHAERA_COUNTS];
+    opened(&s, &b, 0, 32);
+    for (uint32_t i = 0; i < 2 * SPHAERA_COUNTS; i++)
+        b.words[SPHAERA_COUNTERS / 4 + i] = 0x80000001 + 2 * i;
+    sphaera_counters(&s, counts);
+    for (uint32_t i = 0; i < SPHAERA_COUNTS; i++)
+        assert_true(counts[i] == (0x80000001 + 4ull * i) + ((0x80000003 + 4ull * i) << 32));
+}
+
 /* The end of a machine's memory, not its beginning alone. */
 static void load_end(void **state) {
     (void)state;
@@ -200,7 +283,10 @@ static void words(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(load), cmocka_unit_test(load_end),
-                                       cmocka_unit_test(store), cmocka_unit_test(words)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(versions), cmocka_unit_test(load),  cmocka_unit_test(load_end),
+        cmocka_unit_test(files),    cmocka_unit_test(store), cmocka_unit_test(counters),
+        cmocka_unit_test(words),
+    };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

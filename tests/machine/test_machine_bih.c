@@ -67,7 +67,7 @@ static void registers(void **unused) {
     int32_t *r = m.regs, base = r[SPH_REG_LEAF_BASE];
     (void)unused;
     wrong_reg(&m, SPH_REG_TREE, SPH_TREE_BALANCED, "LEAF_BASE is");
-    wrong_reg(&m, SPH_REG_TREE, SPH_TREE_LAST + 1, "TREE is 7");
+    wrong_reg(&m, SPH_REG_TREE, SPH_TREE_LAST + 1, "TREE is 8");
     wrong_reg(&m, SPH_REG_LEAF_BASE, 0, "LEAF_BASE is 0");
     wrong_reg(&m, SPH_REG_LEAF_BASE, base + 1, "LEAF_BASE is");
     wrong_reg(&m, SPH_REG_LEAF_BASE, base - 1, "");

@@ -93,6 +93,10 @@ static void test_damaged_bytes(void **unused) {
     bytes[SPH_AT_VERSION] ^= 1, put_file(bytes, n), refused("version is 6, not 7");
     bytes[SPH_AT_VERSION] ^= 2, put_file(bytes, n), refused("version is 4, not 7"), /* old */
         bytes[SPH_AT_VERSION] ^= 3;
+    unsigned char *longer = malloc(n + 1);
+    memcpy(longer, bytes, n), longer[n] = 0;
+    put_file(longer, n + 1), refused("too long");
+    free(longer);
     sph_put32(bytes + SPH_AT_LINES, 0xffffffff); /* must not be allocated */
     put_file(bytes, n), refused("by its header");
     free(bytes);
@@ -105,6 +109,36 @@ static void test_damaged_bytes(void **unused) {
         put_file(bytes, n), refused(":");
         free(bytes);
     }
+}
+
+/* The name is text, which a terminal may show, and zeros behind it. */
+static void test_wrong_name(void **unused) {
+    static const struct {
+        int at;
+        unsigned char is;
+        const char *part;
+    } rows[] = {
+        {0, 0x1b, "name: byte 0 is 0x1b"}, /* the beginning of a terminal's command */
+        {0, '\n', "name: byte 0 is 0x0a"},
+        {0, 0x7f, "name: byte 0 is 0x7f"},
+        {SPH_NAME_BYTES - 2, 'x', "name: byte 126 is 0x78"}, /* behind its end */
+        {SPH_NAME_BYTES - 1, 'x', "name: byte 127 is 0x78"},
+    };
+    struct sph_machine m = example();
+    size_t n;
+    (void)unused;
+    assert_int_equal(sph_machine_write(&m, path, NULL), 0);
+    sph_machine_free(&m);
+    unsigned char *bytes = get_file(&n);
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        unsigned char *byte = bytes + SPH_AT_NAME + rows[i].at, before = *byte;
+        *byte = rows[i].is;
+        put_file(bytes, n), refused(rows[i].part);
+        *byte = before;
+    }
+    memset(bytes + SPH_AT_NAME, 'x', SPH_NAME_BYTES);
+    put_file(bytes, n), refused("name: no zero at the end");
+    free(bytes);
 }
 
 /* A machine with a wrong value but a right checksum: written, then read, which must refuse. */
@@ -325,7 +359,7 @@ int main(int argc, char **argv) {
         cmocka_unit_test(test_round_trip),   cmocka_unit_test(test_damaged_bytes),
         cmocka_unit_test(test_wrong_tree),   cmocka_unit_test(test_wrong_registers),
         cmocka_unit_test(test_wrong_tables), cmocka_unit_test(test_widths),
-        cmocka_unit_test(test_wrong_place),
+        cmocka_unit_test(test_wrong_place),  cmocka_unit_test(test_wrong_name),
     };
     seed(argc, argv);
     snprintf(path, sizeof path, "/tmp/test_machine_%ld.sph", (long)getpid());

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """usage: python3 tests/tool/faults.py TOOL FOLDER [--some N]
 Each command is run once as it should be, then, through strace,
-  full    from its n-th write on the disk is full; a write of a name counts too
+  full    from its n-th write on the disk is full; fsync and a write of a name count too
   int, term, hup    it gets this signal at its n-th write
   kill    it is killed at its n-th write, and then run again
 and besides with a folder that takes no file, little memory, a small limit on files' sizes, and
@@ -22,7 +22,7 @@ TOOL = str(Path(sys.argv[1]).resolve())
 WORK = Path(sys.argv[2]).resolve()
 SOME = int(sys.argv[sys.argv.index("--some") + 1]) if "--some" in sys.argv else 0
 SCENES = Path(__file__).resolve().parents[2] / "scenes"
-CALLS = "write,writev,pwrite64,rename,ftruncate"
+CALLS = "write,writev,pwrite64,fsync,rename,ftruncate"
 # name: words; o.* are outputs. All of them together, and the longest of names, are in each folder.
 COMMANDS = {
     "build": "build x.nff --size 8x5 -o o.sph --json o.json",

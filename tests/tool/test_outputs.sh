@@ -16,6 +16,10 @@ cp "$TMP/moving.nff" "$TMP/moving-0002.nff"
 "$s" render "$TMP/five.sph" --size=8x8 -o "$TMP/x.png" >"$TMP/text" 2>&1
 "$s" render "$TMP/paper5.nff" --size 9x9 --frame "$TMP/five.frame" -o "$TMP/five.png" >"$TMP/text"
 ln -s five.sph "$TMP/link.sph"
+ln "$TMP/five.sph" "$TMP/hard.sph"
+ln "$TMP/paper5.nff" "$TMP/hard.nff"
+# The images of hall.nff in their order.
+images=$(grep -o '[^ ]*\.png' "$TMP/hall.nff" | awk '!seen[$0]++')
 printf 'HETATM    1  C   LIG A   1       1.0     2.0     3.0  1.00  0.00           C\n' \
     >"$TMP/atom.pdb"
 mkdir "$TMP/drawn"
@@ -36,11 +40,16 @@ kept paper5.nff render paper5.nff --json ./paper5.nff --size 8x8
 kept paper5.nff build paper5.nff -o ../test_outputs.sh/paper5.nff
 kept paper5.nff accuracy paper5.nff --size 8x8 --json paper5.nff
 kept paper5.nff texels paper5.nff --size 8x8 --json paper5.nff
-kept tiles.png render hall.nff --size 8x8 -o tiles.png
+for image in $images; do
+    kept "$image" render hall.nff --size 8x8 -o "$image"
+done
 kept tiles-0001.png render moving.nff --size 8x8 --frames 0..2 -o tiles.png
 kept moving-0002.nff build moving-0002.nff --frames 0..2 -o moving.nff
 kept five.sph info five.sph --json link.sph
 kept five.sph render link.sph --frame five.sph
+kept hard.sph info five.sph --json hard.sph
+kept five.sph render hard.sph --frame five.sph
+kept hard.nff build paper5.nff -o hard.nff
 kept five.frame compare five.frame five.frame -d five.png --json five.frame
 kept atom.pdb import atom.pdb -o atom.pdb
 kept drawn/way_rect.png background drawn/way_rect.png --size 8x8 --pictures drawn

@@ -75,7 +75,8 @@ static void make_leaf(struct maker *k, uint32_t node, uint32_t first, uint32_t c
     k->placed += count;
     if (k->placed - k->told < STEP) return;
     k->told = k->placed;
-    sph_progress_at(k->options.progress, (double)k->placed / k->n);
+    if (sph_progress_at(k->options.progress, (double)k->placed / k->n) && !k->failed)
+        k->failed = sph_fail(k->err, "cancelled");
 }
 
 /* Sorts the part as a step of quicksort does: what has its centre below split2 / 2 to the front,
@@ -183,6 +184,7 @@ static int halve(struct part *p, int axis, int64_t split2, int was_left) {
 
 static void subdivide(struct maker *k, struct part p) {
     struct hole hole = {0};
+    if (k->failed) return;
     if (p.count <= k->options.max_prims || p.depth == k->options.max_depth) {
         make_leaf(k, p.node, p.first, p.count, p.depth);
         return;

@@ -86,8 +86,10 @@ int sph_emit_learned(const struct sph_scene *scene, const struct sph_plants *pla
 int sph_emit_tree(const struct sph_scene *scene, const struct sph_build_options *o,
                   const struct sph_plants *plants, struct sph_tree *tree, struct sph_machine *m,
                   struct sph_build_report *report, struct sph_error *err) {
-    /* the first hit depends on the order of children; the paper's spheres are made as it says */
-    int may = o->traverse == SPH_BUILD_NEAREST && o->tree != SPH_TREE_PAPER;
+    /* the first hit depends on the order of children; the paper's spheres are made as it says, and
+     * those of hardware by rt_build */
+    int may =
+        o->traverse == SPH_BUILD_NEAREST && o->tree != SPH_TREE_PAPER && o->tree != SPH_TREE_HW;
     struct sph_kept_tree *kept = may ? o->kept : NULL;
     if (kept) kept->refitted = 0, kept->cost = 1;
     int failed = sph_tree_bih(o->tree) ? emit_bih(scene, o, plants, tree, m, report, err)

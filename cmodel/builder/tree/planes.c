@@ -23,6 +23,7 @@ static int make(const struct sph_plants *p, const struct sph_ball *balls, const 
                 uint32_t n, struct sph_tree *tree, struct sph_error *err) {
     struct sph_aabb *boxes = NULL;
     if (p->kind == SPH_TREE_PAPER) return sph_tree_paper(balls, n, p->profile, tree, err);
+    if (p->kind == SPH_TREE_HW) return sph_tree_hardware(balls, n, p->profile, tree, err);
     if (p->kind == SPH_TREE_BOX4) {
         boxes = malloc((n + 1ull) * sizeof *boxes);
         if (!boxes) return sph_fail(err, "out of memory for %u boxes", n);
@@ -91,7 +92,8 @@ static int children(const struct sph_tree_node *node) {
 
 int sph_tree_build(const struct sph_plants *p, struct sph_tree *tree, struct sph_error *err) {
     if (plant(p, tree, err)) return -1;
-    if (p->kind != SPH_TREE_PAPER && sph_tree_tighten(p, tree, err)) return -1;
+    if (p->kind != SPH_TREE_PAPER && p->kind != SPH_TREE_HW && sph_tree_tighten(p, tree, err))
+        return -1;
     if (!p->facets->n_loose) return 0;
     if (children(tree->nodes) > 1 && raise(tree, p->profile, err)) return -1;
     tree->nodes->ball = sph_filter_whole(p->profile);

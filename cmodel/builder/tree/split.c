@@ -41,6 +41,7 @@ struct work {
     int limit;     /* binary levels */
     const struct sph_progress *progress;
     uint32_t all, *split; /* spheres, and those of them whose blocks are done */
+    int *end;             /* the work is not wanted any more */
 };
 
 static const struct box EMPTY = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
@@ -164,7 +165,8 @@ static uint32_t split_block(const struct work *all, uint32_t me, uint32_t first,
     uint32_t child = split(&w, me, first, count, depth), done;
     free(w.own);
     done = __atomic_add_fetch(w.split, count, __ATOMIC_RELAXED);
-    sph_progress_at(w.progress, (double)done / w.all);
+    if (sph_progress_at(w.progress, (double)done / w.all))
+        __atomic_store_n(w.end, 1, __ATOMIC_RELAXED);
     return child;
 }
 
@@ -179,6 +181,7 @@ struct part {
 /* split(), in a block if there are few enough. */
 static void split_part(void *user) {
     struct part *p = user;
+    if (__atomic_load_n(p->w->end, __ATOMIC_RELAXED)) return;
     int block = p->count <= BLOCK && p->count >= LEAST && !p->w->names;
     p->child = block ? split_block(p->w, p->me, p->first, p->count, p->depth)
                      : split(p->w, p->me, p->first, p->count, p->depth);
@@ -220,8 +223,9 @@ static void sort(void *user, uint32_t axis, uint32_t end) {
 int sph_split(const struct sph_ball *balls, const struct sph_aabb *boxes, uint32_t n, int limit,
               const struct sph_progress *progress, struct sph_split *out, struct sph_error *err) {
     uint32_t done = 0;
+    int end = 0;
     struct work w = {.balls = balls, .boxes = boxes, .limit = limit, .progress = progress};
-    w.all = n, w.split = &done;
+    w.all = n, w.split = &done, w.end = &end;
     *out = (struct sph_split){.pairs = malloc(n * sizeof *w.pairs)};
     w.pairs = out->pairs;
     w.spare = malloc(n * sizeof *w.spare);
@@ -245,8 +249,9 @@ int sph_split(const struct sph_ball *balls, const struct sph_aabb *boxes, uint32
     free(w.order[2]);
     out->n_pairs = n - 1;
     out->order = w.order[0];
-    if (good) return 0;
+    if (good && !end) return 0;
     sph_split_free(out);
+    if (end) return sph_fail(err, "cancelled");
     return sph_fail(err, "out of memory for a tree of %u spheres", n);
 }
 

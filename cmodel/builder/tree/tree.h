@@ -57,6 +57,10 @@ int sph_tree_tighten(const struct sph_plants *plants, struct sph_tree *tree, str
 int sph_tree_paper(const struct sph_ball *balls, uint32_t n, const struct sph_profile *profile,
                    struct sph_tree *tree, struct sph_error *err);
 
+/* The tree of rt_build, of n spheres: build/build_tree.h. -1 if memory is out. */
+int sph_tree_hardware(const struct sph_ball *balls, uint32_t n, const struct sph_profile *profile,
+                      struct sph_tree *tree, struct sph_error *err);
+
 /* Surface-area heuristic, collapsed to four children at least cost; at most SPH_STACK_DEPTH
  * levels of nodes. `eye` orders siblings near first. kind: SPH_TREE_REINSERTED: with the pairs that
  * split.h makes of them, unless that is too deep. boxes: around each, where nodes are boxes,

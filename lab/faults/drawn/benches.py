@@ -18,7 +18,7 @@ extern "C" int mutant_number() {
 QUICK = 3000        # vectors of the first run of a block's bench
 # what Verilator is told of a netlist
 LOOSE = ("-Wno-fatal", "-Wno-lint", "-Wno-style", "--x-assign", "fast")
-STEPS = ("ENGINES=1", "ROOT_STEP=2", "QUOTIENT_STEP=2")
+STEPS = ("ENGINES=1", "ROOT_STEP=1", "QUOTIENT_STEP=2")
 
 
 class Drawn(Built):

@@ -1,0 +1,92 @@
+/* build_tree.h - the tree that hardware builds                    RTL: rtl/build/rt_build.v
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Spheres are sorted along a curve, neighbours of that order are joined to a binary tree, and of
+ * this, from the root down, nodes of four are made. All of it is integers, and bit for bit what
+ * rt_build does: docs/design/build_tree.md.
+ *
+ *     order.c   Morton keys of the centres, sorted
+ *     chain.c   the binary tree: the two clusters are joined that each have the other as the nearer
+ *               neighbour
+ *     nodes.c   nodes of four, and spheres around their children
+ *     words.c   records in memory words to nodes and leaf records in memory words
+ */
+#ifndef SPH_BUILD_TREE_H
+#define SPH_BUILD_TREE_H
+
+#include <stdint.h>
+
+#include "common/error.h"
+#include "machine/profile.h"
+
+enum { SPH_BT_CHILDREN = 4 };
+
+/* A sphere in grid units. */
+struct sph_bt_leaf {
+    int32_t ctr[3]; /* sW */
+    int32_t rad;    /* uW, above 0 */
+};
+
+/* Two neighbours that were joined. Number b is where they touch: the left one ends with place b of
+ * the order, the right one begins with place b + 1. */
+struct sph_bt_pair {
+    uint32_t left, right; /* numbers of the two; of a cluster of one sphere any */
+    uint32_t size;        /* of the box around both: the sum of its three edges, grid units */
+};
+
+struct sph_bt_node {
+    uint32_t base;                   /* line of its first child, counted from the root's */
+    uint32_t line;                   /* its own */
+    uint32_t child[SPH_BT_CHILDREN]; /* n_inner node indices, then n_leaf sphere indices */
+    int32_t ctr[SPH_BT_CHILDREN][3]; /* filter units: the sphere around a child, */
+    int32_t rad[SPH_BT_CHILDREN];    /* without margin */
+    uint8_t n_inner, n_leaf;
+};
+
+/* Places of n spheres along the Morton curve through their centres, those of equal keys by index;
+ * order[place] is an index. spare: as many words. */
+void sph_bt_order(const struct sph_bt_leaf *leaves, uint32_t n, uint32_t *order, uint64_t *spare);
+
+/* The binary tree over that order: pairs[0 .. n-2]; returns the number of its root, 0 if there is
+ * none. */
+uint32_t sph_bt_chain(const struct sph_bt_leaf *leaves, const uint32_t *order, uint32_t n,
+                      struct sph_bt_pair *pairs);
+
+/* Nodes of four in the order in which they are written, the root first; nodes: room for n, or for
+ * one. Returns how many. */
+uint32_t sph_bt_nodes(const struct sph_bt_leaf *leaves, const uint32_t *order, uint32_t n,
+                      const struct sph_bt_pair *pairs, uint32_t root,
+                      const struct sph_profile *profile, struct sph_bt_node *nodes);
+
+/* All three. *nodes is malloc'd; -1 with a message if memory is out. */
+int sph_bt_tree(const struct sph_bt_leaf *leaves, uint32_t n, const struct sph_profile *profile,
+                struct sph_bt_node **nodes, uint32_t *n_nodes, struct sph_error *err);
+
+/* Lines that nodes and leaf records of n spheres take at most. */
+static inline uint64_t sph_bt_lines(uint32_t n) {
+    return n ? 2ull * n : 1;
+}
+
+/* What memory gives and what is wanted, as the ports of rt_build have it. */
+struct sph_bt_job {
+    uint32_t n;         /* spheres */
+    uint32_t prim_base; /* line of the primitive record of sphere 0 */
+    uint32_t root;      /* line of the root: nodes and leaf records follow */
+    uint32_t lines;     /* that they may take */
+};
+
+/* Reasons why nothing was written; sticky bits of rt_build. */
+enum {
+    SPH_BT_MANY = 1,   /* more spheres than it was built for */
+    SPH_BT_ROOM = 2,   /* fewer lines than sph_bt_lines() */
+    SPH_BT_RECORD = 4, /* a number not of W bits, a radius of 0, another id or kind of primitive */
+    SPH_BT_BUS = 8     /* memory answered with an error */
+};
+
+/* Nodes and leaf records of the primitive records that memory holds. most: spheres that fit the
+ * hardware. *written: lines from the root's on. Returns 0, or reasons of the above; -1 with a
+ * message if memory is out. */
+int sph_bt_words(uint32_t *memory, const struct sph_bt_job *job, uint32_t most,
+                 const struct sph_profile *profile, uint32_t *written, struct sph_error *err);
+
+#endif
