@@ -40,6 +40,13 @@ int main() try {
     std::printf("core %s, %zu parameters, %zu lines\n", machine.core().c_str(),
                 machine.parameters().size(), machine.memory().size() / 8);
 
+    build.refit = 1; /* a tree of the first scene around the spheres of another */
+    const sphaera::Machine first = scene.build(build);
+    arrays.from[0] = 1;
+    const sphaera::Scene later = sphaera::Scene::make(arrays);
+    const sphaera::Machine refitted = later.refit(first);
+    expect(refitted.render().id() == later.build(build).render().id(), "a refitted tree shows it");
+
     const sphaera::Pixel pixel = machine.pixel(17, 16);
     const sphaera::Layers layers = frame.layers();
     size_t at = 16 * 48 + 17;

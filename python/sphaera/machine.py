@@ -107,6 +107,12 @@ class Machine:
                         ffi.from_buffer("int32_t[]", words), len(words),
                         ffi.from_buffer("uint32_t[]", lines), len(lines), c_text(name)))
 
+    @property
+    def tree_cost(self) -> float:
+        """Of a tree that was refitted: the visits expected of a ray, over those of the tree when it
+        was built; 1 of any other."""
+        return lib.sphaera_machine_tree_cost(self._pointer)
+
     def export(self, format: str, path: PathLike) -> None:  # pylint: disable=redefined-builtin
         """Writes what `sphaera export` does: "hex": path.regs.hex and path.mem.hex for $readmemh;
         "c": path, arrays of C. Error: another format, or it cannot be written."""

@@ -301,6 +301,31 @@ def options():
     refused(sphaera.Error, "radius is -1", sphaera.read, PAPER5, radius=-1)
 
 
+def refitted():
+    """A tree that is refitted gives the frames of the tool's sequences."""
+    robot, words = f"{ROOT}/scenes/texture/robot.nff", {"profile": "fine", "accel": "bvh4",
+                                                        "width": 32, "height": 18}
+    said = subprocess.run([TOOL, "render", robot, "--profile", "fine", "--accel", "bvh4", "--size",
+                           "32x18", "--effects", "all", "--frames", "0..3", "--refit", "on",
+                           "-o", "robot.png", "--json", "-"], check=True, text=True,
+                          stdout=subprocess.PIPE).stdout
+    machine, frames = sphaera.read(robot).build(refit=True, **words), json.loads(said)["frames"]
+    anew = sphaera.read(robot, at=3).build(**words).render()
+    for at, frame in enumerate(frames):
+        if at:
+            machine = sphaera.read(robot, at=at).refit(machine)
+        drawn = machine.render()
+        assert f"{drawn.hash:016x}" == frame["frame"]["hash"], (at, frame)
+        assert machine.tree_cost == frame["tree_cost"]
+    assert (drawn.key == anew.key).all() and (drawn.rgb() == anew.rgb()).all()
+    assert drawn.hash != anew.hash
+    refused(sphaera.Error, "5 spheres, 0 triangles and planes", sphaera.read(PAPER5).refit, machine)
+    refused(sphaera.Error, "^cancelled$", sphaera.read(robot).refit, machine,
+            progress=lambda *_: True)
+    refused(sphaera.Error, "keeps no tree", sphaera.read(robot).refit,
+            pickle.loads(pickle.dumps(machine)))
+
+
 def core():
     """Registers, memory and parameters are those of the files that the tool exports."""
     machine = sphaera.read(PAPER5).build(profile="draft", width=32, height=20)
@@ -567,7 +592,7 @@ def builds():
 
 
 if __name__ == "__main__":  # a child that is spawned reads this file too
-    for promise in (declarations, words, frames, ray, arrays, batches, options, core, stages,
+    for promise in (declarations, words, frames, ray, arrays, batches, options, refitted, core, stages,
                     verify, errors, threads, strict, pickled, children, interrupts,
                     builds):
         promise()
