@@ -568,7 +568,7 @@ typedef struct sphaera_price_row {
 
 /* Measures a row for each profile, or one if the options name it. options NULL: the defaults.
  * keep_pixels, keep_psnr: what a row is to keep, as of --error; 0, 0: its default. most: pixels of
- * a sample, 0: the whole frame. */
+ * a sample, 0: the whole frame. The options' progress is told of all, and may end it. */
 SPHAERA_API int sphaera_price_measure(const sphaera_scene *scene,
                                       const sphaera_build_options *options, double keep_pixels,
                                       double keep_psnr, uint32_t most, sphaera_price **price,

@@ -95,19 +95,23 @@ class Scene:
         return Machine(until_interrupted(refit))
 
     def price(self, *, keep_pixels: float = 0, keep_psnr: float = 0, most: int = 0,
-              **build: Any) -> Price:
+              progress: Optional[Progress] = None, **build: Any) -> Price:
         """What accuracy costs in time, as `sphaera price` tells: a row for each profile, or the one
-        that is named; `build`: words as of build(), without progress.
+        that is named; `build`: words as of build().
 
         keep_pixels, keep_psnr   what a row is to keep, as of --error; both 0: its default
         most                     pixels of a sample, 0: the whole frame
+        progress                 called with done, all; what it returns, if true, cancels
 
         Error: as of build(), but a profile that has no room for the scene is a row that says so."""
-        options, kept = build_options(build)
-        found = price_of(made(lib.sphaera_price_measure, lib.sphaera_price_free, "sphaera_price",
-                              self._pointer, options, keep_pixels, keep_psnr, most))
-        del kept
-        return found
+        def work(stop: Any) -> Any:
+            with Told(progress, stop) as told:
+                options, kept = build_options(dict(build, progress=told.pointer))
+                price = made(lib.sphaera_price_measure, lib.sphaera_price_free, "sphaera_price",
+                             self._pointer, options, keep_pixels, keep_psnr, most)
+                del kept
+            return price
+        return price_of(until_interrupted(work))
 
     def __repr__(self) -> str:
         return f"<sphaera.Scene of {self.spheres} spheres, {self.facets} triangles and planes>"
