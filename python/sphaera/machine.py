@@ -176,7 +176,8 @@ class Machine:
         every processor. origins and directions are [n, 3]: float64 in the scene's frame, or, if
         both are whole numbers, int32 as hardware has them (see primary()).
 
-        Error: as of trace(), by number of the ray. ValueError: another shape."""
+        Ctrl-C ends it within some 100 000 rays. Error: as of trace(), by number of the ray.
+        ValueError: another shape."""
         org, to = np.asarray(origins), np.asarray(directions)
         if org.ndim != 2 or org.shape[1] != 3 or org.shape != to.shape:
             raise ValueError(f"origins {org.shape} and directions {to.shape} are not both (n, 3)")
