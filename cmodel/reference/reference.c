@@ -10,7 +10,7 @@
 #include "common/parallel.h"
 #include "reference/follow.h"
 
-enum { PIXELS = 512 }; /* that are worth a thread */
+enum { PIXELS = 512, TOLD = 1 << 13 }; /* that are worth a thread; between two asks for the end */
 
 static uint32_t byte(double c) {
     return (uint32_t)(fmin(fmax(c, 0), 1) * 255 + 0.5);
@@ -45,13 +45,14 @@ static struct sph_reference_pixel render_pixel(const struct sph_ref_job *j, int 
 struct picture {
     const struct sph_ref_job *job;
     struct sph_reference *out;
+    uint32_t from; /* of the pixels at hand */
 };
 
 static void render_pixels(void *user, uint32_t first, uint32_t end) {
     const struct picture *p = user;
     const uint32_t *places = p->job->o->places, width = (uint32_t)p->job->view.width;
     struct sph_level_work work = {.hits = {0}};
-    for (uint32_t i = first; i < end; i++) {
+    for (uint32_t i = p->from + first; i < p->from + end; i++) {
         uint32_t at = places ? places[i] : i;
         p->out->pixels[i] = render_pixel(p->job, (int)(at % width), (int)(at / width), &work);
     }
@@ -85,12 +86,20 @@ int sph_reference_render(const struct sph_scene *scene, const struct sph_referen
         return sph_fail(err, "%s: no memory for the reference", scene->path);
     }
     j.tree = tree;
-    struct picture picture = {&j, out};
+    struct picture picture = {&j, out, 0};
+    uint32_t part = options->progress && options->progress->show ? TOLD : n;
+    int end = 0;
     int before = sph_parallel_most(options->work ? 1 : options->threads); /* who counts gets one */
-    sph_parallel_for(n, PIXELS, render_pixels, &picture);
+    for (uint32_t *from = &picture.from; *from < n && !end; *from += part) {
+        end = sph_progress_at(options->progress, (double)*from / n);
+        if (!end)
+            sph_parallel_for(n - *from < part ? n - *from : part, PIXELS, render_pixels, &picture);
+    }
     sph_parallel_most(before);
     sph_ref_tree_free(tree);
-    return 0;
+    if (!end) return 0;
+    sph_reference_free(out);
+    return sph_fail(err, "%s: cancelled", scene->path);
 }
 
 void sph_reference_free(struct sph_reference *r) {

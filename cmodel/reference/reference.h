@@ -10,6 +10,7 @@
 #include <stdint.h>
 
 #include "common/error.h"
+#include "common/parallel.h"
 #include "core/frame.h"
 #include "machine/machine.h"
 #include "reference/texture.h"
@@ -34,6 +35,7 @@ struct sph_reference_options {
     struct sph_ref_work *work;  /* NULL, or what the tree does, with one thread */
     const uint32_t *places;     /* NULL: every pixel; else these alone, y * width + x, */
     uint32_t n_places;          /* and what comes out is n_places x 1 */
+    const struct sph_progress *progress; /* NULL: nobody asks */
 };
 
 struct sph_reference_pixel {

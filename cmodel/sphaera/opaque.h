@@ -22,9 +22,12 @@ struct sphaera_scene {
 
 struct sphaera_machine {
     struct sph_machine machine;
-    char warning[8192]; /* as of sph_build_report */
-    char why[512];      /* as of sph_choose_why(), or empty */
-    char core[256];     /* as of sph_machine_core() */
+    struct sph_api_refit *refit; /* NULL, or what others of its tree are made of */
+    sphaera_machine *first;      /* whose `refit` made this one, and which it holds; or NULL */
+    double tree_cost;            /* as of sph_build_report */
+    char warning[8192];          /* as of sph_build_report */
+    char why[512];               /* as of sph_choose_why(), or empty */
+    char core[256];              /* as of sph_machine_core() */
     struct sph_ledger ledger;
     int samples;           /* rays a pixel across and down that it was built for */
     int holders;           /* who uses it: the caller, and each of its frames */
@@ -75,14 +78,23 @@ struct sph_api_build {
     struct sph_profile widths;    /* where o.widths points to, if a profile is named */
     struct sph_error_bound bound; /* of "auto" */
     struct sph_aim aim;           /* of the scene's camera */
-    int met, samples;
+    int met, samples, refit;
     struct sph_api_told told;
     struct sph_progress progress; /* where o.progress points to */
+};
+
+/* How a machine was built that keeps its tree. */
+struct sph_api_refit {
+    struct sph_api_build how; /* profile, tree and size as they were chosen */
+    struct sph_kept_tree kept;
 };
 
 /* from NULL: the defaults. 0, or -1 with a message that names the option; *to must not move. */
 int sph_api_options(const sphaera_build_options *from, struct sph_api_build *to,
                     struct sph_error *err);
+
+/* Who is told how far a build is, NULL: nobody; *to must not move. */
+void sph_api_tell(sphaera_progress progress, void *user, struct sph_api_build *to);
 
 /* The scene as its camera is to see it: *to has all of the scene's memory, which stays the scene's.
  * Sets the size of the frame: what was asked for, or the scene's, times the samples. 0, or -1. */

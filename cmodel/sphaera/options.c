@@ -195,6 +195,21 @@ static int aim(const sphaera_build_options *from, struct sph_aim *to, struct sph
     return 0;
 }
 
+/* What a tree that is kept excludes. */
+static int refit(const sphaera_build_options *from, struct sph_api_build *to,
+                 struct sph_error *err) {
+    to->refit = from->refit;
+    if (sph_api_whole("refit", from->refit, 0, 1, err)) return -1;
+    if (!from->refit) return 0;
+    if (to->o.tree == SPH_TREE_PAPER || to->o.tree == SPH_TREE_HW)
+        return sph_fail(err, "refit: a tree '%s' cannot be refitted", from->tree);
+    if (to->o.traverse != SPH_BUILD_NEAREST)
+        return sph_fail(err, "refit: with traverse '%s' every frame has a tree of its own",
+                        from->traverse);
+    if (to->met) return sph_fail(err, "refit: effects 'met' are those of one frame alone");
+    return 0;
+}
+
 int sph_api_options(const sphaera_build_options *from, struct sph_api_build *to,
                     struct sph_error *err) {
     sphaera_build_options defaults;
@@ -210,11 +225,15 @@ int sph_api_options(const sphaera_build_options *from, struct sph_api_build *to,
         return -1;
     const char *why = sph_build_contradiction(&to->o);
     if (why) return sph_fail(err, "%s", why);
-    if (!from->progress) return 0;
-    to->told = (struct sph_api_told){from->progress, from->user, 0};
-    to->progress = (struct sph_progress){sph_api_show, &to->told, 0, 1};
-    to->o.progress = &to->progress;
+    if (refit(from, to, err)) return -1;
+    sph_api_tell(from->progress, from->user, to);
     return 0;
+}
+
+void sph_api_tell(sphaera_progress progress, void *user, struct sph_api_build *to) {
+    to->told = (struct sph_api_told){progress, user, 0};
+    to->progress = (struct sph_progress){sph_api_show, &to->told, 0, 1};
+    to->o.progress = progress ? &to->progress : NULL;
 }
 
 int sph_api_frame(const struct sph_scene *scene, struct sph_api_build *b, struct sph_scene *to,

@@ -31,6 +31,7 @@ int sphaera_price_measure(const sphaera_scene *scene, const sphaera_build_option
     struct sph_api_build b;
     struct sph_scene aimed;
     *price = NULL;
+    b.told.end = 0;
     if (!(keep_pixels >= 0 && keep_psnr >= 0)) {
         sph_fail(&err, "to keep %g pixels and %g dB: these are 0 or more", keep_pixels, keep_psnr);
         return sph_api_failed(&err, error);
@@ -51,6 +52,7 @@ int sphaera_price_measure(const sphaera_scene *scene, const sphaera_build_option
         return 0;
     }
     free(made);
+    if (b.told.end) snprintf(err.text, sizeof err.text, "cancelled");
     return sph_api_failed(&err, error);
 }
 

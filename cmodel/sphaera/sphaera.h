@@ -185,6 +185,9 @@ typedef struct sphaera_build_options {
     double shift[2];           /* of the picture's middle to the right and up, in its heights */
     double eye[3];             /* the eye moves to the right, up and back, as --eye-shift */
     int wall[4];               /* columns, rows; column, row of this frame, as --wall; 0, 0: none */
+    int refit;                 /* 1: the machine keeps its tree for sphaera_refit(); with neither
+                                  tree "paper", "paper-grown" or "hw", traverse "first" nor
+                                  effects "met" */
     sphaera_progress progress; /* NULL: nobody is told */
     void *user;
 } sphaera_build_options;
@@ -196,6 +199,21 @@ SPHAERA_API void sphaera_build_init(sphaera_build_options *options);
 /* Builds the machine; options NULL: the defaults. Reads the scene's images. */
 SPHAERA_API int sphaera_build(const sphaera_scene *scene, const sphaera_build_options *options,
                               sphaera_machine **machine, sphaera_error *error);
+
+/* A machine of `scene` with the tree of `machine`, which was built with `refit`, or refitted, and
+ * does not change: nodes keep their children and get new bounds, as `sphaera build --frames --refit
+ * on` makes them (docs/design/builder.md). All else is built by the same options, in the profile,
+ * tree and size that they led to. Pixels, ids and keys are those of a tree built anew, visits are
+ * not. progress NULL: nobody is told. -1: it keeps no tree, or the scene has other primitives: so
+ * many spheres, triangles and planes as the first, in their order, less those that the grid leaves
+ * out. */
+SPHAERA_API int sphaera_refit(const sphaera_scene *scene, const sphaera_machine *machine,
+                              sphaera_progress progress, void *user, sphaera_machine **moved,
+                              sphaera_error *error);
+
+/* Of a tree that was refitted: the visits expected of a ray, over those of the tree when it was
+ * built, which tells when to build anew: --refit auto does so above 1.1. 1 of any other. */
+SPHAERA_API double sphaera_machine_tree_cost(const sphaera_machine *machine);
 
 /* Reads and checks a machine file; writes one, whole or not at all. */
 SPHAERA_API int sphaera_machine_read(const char *path, sphaera_machine **machine,
@@ -550,7 +568,7 @@ typedef struct sphaera_price_row {
 
 /* Measures a row for each profile, or one if the options name it. options NULL: the defaults.
  * keep_pixels, keep_psnr: what a row is to keep, as of --error; 0, 0: its default. most: pixels of
- * a sample, 0: the whole frame. */
+ * a sample, 0: the whole frame. The options' progress is told of all, and may end it. */
 SPHAERA_API int sphaera_price_measure(const sphaera_scene *scene,
                                       const sphaera_build_options *options, double keep_pixels,
                                       double keep_psnr, uint32_t most, sphaera_price **price,

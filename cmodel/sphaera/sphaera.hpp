@@ -180,6 +180,7 @@ class Machine {
     std::string profile() const { return sphaera_machine_profile(p.get()); }
     std::string warning() const { return sphaera_machine_warning(p.get()); }
     std::string why() const { return sphaera_machine_why(p.get()); }
+    double tree_cost() const { return sphaera_machine_tree_cost(p.get()); }
     std::string core() const { return sphaera_machine_core(p.get()); }
     std::vector<sphaera_record> records() const {
         return detail::rows<sphaera_record>(sphaera_machine_record, p.get());
@@ -281,6 +282,12 @@ class Scene {
     Machine build(const BuildOptions &options = BuildOptions()) const {
         return Machine(detail::make<sphaera_machine>(
             sphaera_build, p.get(), static_cast<const sphaera_build_options *>(&options)));
+    }
+    // A machine of this scene with the tree of another one's.
+    Machine refit(const Machine &machine, sphaera_progress progress = nullptr,
+                  void *user = nullptr) const {
+        return Machine(
+            detail::make<sphaera_machine>(sphaera_refit, p.get(), machine.get(), progress, user));
     }
     Price price(const BuildOptions &options = BuildOptions(), double keep_pixels = 0,
                 double keep_psnr = 0, uint32_t most = 0) const {

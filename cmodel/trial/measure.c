@@ -65,7 +65,8 @@ int sph_yardstick_make(const struct sph_scene *scene, const struct sph_build_opt
                                         .mips = o->texture == SPH_OFF ? NULL : o->mips,
                                         .filter = o->tex_filter,
                                         .lod = asked->lod,
-                                        .spread = o->spread != SPH_OFF};
+                                        .spread = o->spread != SPH_OFF,
+                                        .progress = o->progress};
     double start = cpu_now();
     if (asked->most && (uint64_t)y->width * (uint64_t)y->height > asked->most) {
         how.n_places = sample(y, asked->most);

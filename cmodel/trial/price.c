@@ -17,7 +17,10 @@ struct job {
     const struct sph_price_options *o;
     struct sph_yardstick yardstick;
     struct sph_price *price;
+    struct sph_progress row; /* where the row at hand is; who asks is asked in it, too */
 };
+
+#define YARDSTICK 0.5 /* share of the time until it is drawn */
 
 /* ---- a row ---- */
 
@@ -69,6 +72,7 @@ static int measure(const struct job *j, const struct sph_profile *profile, int t
     r->profile = *profile;
     o.widths = &r->profile;
     o.tree = tree;
+    o.progress = &j->row;
     sph_measure_trees(j->yardstick.scene, &o, NULL, 0);
     if (sph_estimate(j->yardstick.scene, &o, &r->profile, 1, &r->expected, err)) return -1;
     r->built = !(j->o->met ? measure_met(j, &o, &t, &r->expected, &why)
@@ -170,8 +174,13 @@ static int add_knobs(struct job *j, struct sph_error *err) {
 
 static int make(struct job *j, struct sph_error *err) {
     struct sph_price *price = j->price;
-    for (int p = 0; p < (j->o->only ? 1 : SPH_PROFILES); p++) {
+    int n = j->o->only ? 1 : SPH_PROFILES;
+    for (int p = 0; p < n; p++) {
+        double share = YARDSTICK + (1 - YARDSTICK) * p / n;
+        j->row = sph_progress_part(j->build->progress, share, share);
         if (add_profile(j, j->o->only ? j->o->only : &sph_profiles[p], err)) return -1;
+        if (sph_progress_at(&j->row, 0))
+            return sph_fail(err, "%s: cancelled", j->yardstick.scene->path);
         if (price->best < 0 && price->row[price->n - 1].keeps) price->best = price->n - 1;
     }
     return j->o->more ? add_knobs(j, err) : 0;
@@ -185,7 +194,10 @@ int sph_price_make(const struct sph_scene *scene, const struct sph_build_options
     price->best = -1;
     const struct sph_yardstick_options how = {
         .most = options->most, .lod = SPH_LOD_MENDED, .threads = options->threads};
-    if (sph_yardstick_make(scene, build, &how, &j.yardstick, err)) return -1;
+    struct sph_progress first = sph_progress_part(build->progress, 0, YARDSTICK);
+    struct sph_build_options of_first = *build;
+    if (build->progress) of_first.progress = &first;
+    if (sph_yardstick_make(scene, &of_first, &how, &j.yardstick, err)) return -1;
     price->width = j.yardstick.width;
     price->height = j.yardstick.height;
     price->sampled = j.yardstick.places != NULL;

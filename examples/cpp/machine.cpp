@@ -12,7 +12,7 @@ static void expect(bool same, const char *what) {
 }
 
 int main() try {
-    const double spheres[] = {-1, 0, 0, 1.2, 1.4, 0.4, -1, 1, 1.4, 0.4, -1, 1}; /* one twice */
+    double spheres[] = {-1, 0, 0, 1.2, 1.4, 0.4, -1, 1, 1.4, 0.4, -1, 1}; /* one twice */
     const double lights[] = {4, 6, 8};
     sphaera::Arrays arrays;
     arrays.from[2] = 9, arrays.angle = 40, arrays.width = 48, arrays.height = 32;
@@ -39,6 +39,13 @@ int main() try {
            "the file is the scene");
     std::printf("core %s, %zu parameters, %zu lines\n", machine.core().c_str(),
                 machine.parameters().size(), machine.memory().size() / 8);
+
+    build.refit = 1; /* the tree of the first scene around what moves */
+    const sphaera::Machine first = scene.build(build);
+    spheres[0] = -1.4;
+    const sphaera::Scene later = sphaera::Scene::make(arrays);
+    const sphaera::Machine refitted = later.refit(first);
+    expect(refitted.render().id() == later.build(build).render().id(), "a refitted tree shows it");
 
     const sphaera::Pixel pixel = machine.pixel(17, 16);
     const sphaera::Layers layers = frame.layers();

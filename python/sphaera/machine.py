@@ -9,11 +9,13 @@ from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Tuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ._library import (PathLike, Record, c_text, call, ffi, lib, made, records, text,
+from ._library import (Error, PathLike, Record, c_text, call, ffi, lib, made, records, text,
                        until_interrupted)
 from ._options import Progress, Told, filled
 from .frame import Frame
 from .pixel import Pixel, pixel_of
+
+AT_ONCE = 1 << 18  # rays between two looks for Ctrl-C
 
 
 class Hit(NamedTuple):
@@ -107,6 +109,12 @@ class Machine:
                         ffi.from_buffer("int32_t[]", words), len(words),
                         ffi.from_buffer("uint32_t[]", lines), len(lines), c_text(name)))
 
+    @property
+    def tree_cost(self) -> float:
+        """Of a tree that was refitted: the visits expected of a ray, over those of the tree when it
+        was built; 1 of any other."""
+        return lib.sphaera_machine_tree_cost(self._pointer)
+
     def export(self, format: str, path: PathLike) -> None:  # pylint: disable=redefined-builtin
         """Writes what `sphaera export` does: "hex": path.regs.hex and path.mem.hex for $readmemh;
         "c": path, arrays of C. Error: another format, or it cannot be written."""
@@ -168,7 +176,8 @@ class Machine:
         every processor. origins and directions are [n, 3]: float64 in the scene's frame, or, if
         both are whole numbers, int32 as hardware has them (see primary()).
 
-        Error: as of trace(), by number of the ray. ValueError: another shape."""
+        Ctrl-C ends it within some 100 000 rays. Error: as of trace(), by number of the ray.
+        ValueError: another shape."""
         org, to = np.asarray(origins), np.asarray(directions)
         if org.ndim != 2 or org.shape[1] != 3 or org.shape != to.shape:
             raise ValueError(f"origins {org.shape} and directions {to.shape} are not both (n, 3)")
@@ -184,10 +193,26 @@ class Machine:
         hits = Hits(np.empty(n, np.uint32), np.empty(n, np.uint64), np.empty(n, np.bool_),
                     np.empty(n, np.float64), np.empty(n, np.uint32))
         kinds = ("uint32_t[]", "uint64_t[]", "uint8_t[]", "double[]", "uint32_t[]")
-        into = {name: ffi.from_buffer(of, array)
-                for name, of, array in zip(Hits._fields, kinds, hits)}
-        call(function, self._pointer, n, ffi.from_buffer(kind, org), ffi.from_buffer(kind, to),
-             threads, ffi.new("sphaera_hits *", into))
+
+        def trace(first: int, end: int) -> None:
+            into = {name: ffi.from_buffer(of, array[first:end])
+                    for name, of, array in zip(Hits._fields, kinds, hits)}
+            call(function, self._pointer, end - first, ffi.from_buffer(kind, org[first:end]),
+                 ffi.from_buffer(kind, to[first:end]), threads, ffi.new("sphaera_hits *", into))
+
+        def work(stop: Any) -> None:
+            for first in range(0, n, AT_ONCE):
+                try:
+                    trace(first, min(first + AT_ONCE, n))
+                except Error:
+                    trace(0, n)  # says the number of the ray
+                if stop[0]:
+                    return
+
+        if n > AT_ONCE:
+            until_interrupted(work)
+        else:
+            trace(0, n)
         return hits
 
     def primary(self, x: int, y: int) -> Tuple[NDArray[np.int32], NDArray[np.int32]]:

@@ -59,6 +59,7 @@ class Scene:
                        shift: (right, up), in place of the scene's, as of scene_of()
                        eye: (right, up, back), by which the eye moves before a screen that stays
                        wall: (columns, rows, column, row) of a frame that is part of a picture
+                       refit: True: the machine keeps its tree for refit()
 
         Error: a word or number that is none of these, an image that cannot be read, a scene that
         the profile has no room for, or "cancelled". TypeError: a keyword that is none of these."""
@@ -74,20 +75,43 @@ class Scene:
             return machine
         return Machine(until_interrupted(work))
 
+    def refit(self, machine: Machine, *, progress: Optional[Progress] = None) -> Machine:
+        """The machine of this scene with the tree of another one, which was built with refit=True,
+        or refitted, of the same primitives in other places, as `sphaera build --frames --refit on`
+        makes it: nodes keep their children and get new bounds. All else is built by the same
+        options, in the profile, tree and size that they led to.
+
+        progress  called with done, all; what it returns, if true, cancels
+
+        Error: the machine keeps no tree, as one that was read, made or pickled; this scene has
+        other primitives; or "cancelled"."""
+        tree = machine._pointer  # pylint: disable=protected-access
+
+        def refit(stop: Any) -> Any:
+            with Told(progress, stop) as told:
+                moved = made(lib.sphaera_refit, lib.sphaera_machine_free, "sphaera_machine",
+                             self._pointer, tree, told.pointer, ffi.NULL)
+            return moved
+        return Machine(until_interrupted(refit))
+
     def price(self, *, keep_pixels: float = 0, keep_psnr: float = 0, most: int = 0,
-              **build: Any) -> Price:
+              progress: Optional[Progress] = None, **build: Any) -> Price:
         """What accuracy costs in time, as `sphaera price` tells: a row for each profile, or the one
-        that is named; `build`: words as of build(), without progress.
+        that is named; `build`: words as of build().
 
         keep_pixels, keep_psnr   what a row is to keep, as of --error; both 0: its default
         most                     pixels of a sample, 0: the whole frame
+        progress                 called with done, all; what it returns, if true, cancels
 
         Error: as of build(), but a profile that has no room for the scene is a row that says so."""
-        options, kept = build_options(build)
-        found = price_of(made(lib.sphaera_price_measure, lib.sphaera_price_free, "sphaera_price",
-                              self._pointer, options, keep_pixels, keep_psnr, most))
-        del kept
-        return found
+        def work(stop: Any) -> Any:
+            with Told(progress, stop) as told:
+                options, kept = build_options(dict(build, progress=told.pointer))
+                price = made(lib.sphaera_price_measure, lib.sphaera_price_free, "sphaera_price",
+                             self._pointer, options, keep_pixels, keep_psnr, most)
+                del kept
+            return price
+        return price_of(until_interrupted(work))
 
     def __repr__(self) -> str:
         return f"<sphaera.Scene of {self.spheres} spheres, {self.facets} triangles and planes>"

@@ -13,6 +13,7 @@ import sys
 import threading
 import time
 import typing
+import unittest.mock
 from pathlib import Path
 
 import numpy as np
@@ -301,6 +302,31 @@ def options():
     refused(sphaera.Error, "radius is -1", sphaera.read, PAPER5, radius=-1)
 
 
+def refitted():
+    """A tree that is refitted gives the frames of the tool's sequences."""
+    robot, words = f"{ROOT}/scenes/texture/robot.nff", {"profile": "fine", "accel": "bvh4",
+                                                        "width": 32, "height": 18}
+    said = subprocess.run([TOOL, "render", robot, "--profile", "fine", "--accel", "bvh4", "--size",
+                           "32x18", "--effects", "all", "--frames", "0..3", "--refit", "on",
+                           "-o", "robot.png", "--json", "-"], check=True, text=True,
+                          stdout=subprocess.PIPE).stdout
+    machine, frames = sphaera.read(robot).build(refit=True, **words), json.loads(said)["frames"]
+    anew = sphaera.read(robot, at=3).build(**words).render()
+    for at, frame in enumerate(frames):
+        if at:
+            machine = sphaera.read(robot, at=at).refit(machine)
+        drawn = machine.render()
+        assert f"{drawn.hash:016x}" == frame["frame"]["hash"], (at, frame)
+        assert machine.tree_cost == frame["tree_cost"]
+    assert (drawn.key == anew.key).all() and (drawn.rgb() == anew.rgb()).all()
+    assert drawn.hash != anew.hash
+    refused(sphaera.Error, "5 spheres, 0 triangles and planes", sphaera.read(PAPER5).refit, machine)
+    refused(sphaera.Error, "^cancelled$", sphaera.read(robot).refit, machine,
+            progress=lambda *_: True)
+    refused(sphaera.Error, "keeps no tree", sphaera.read(robot).refit,
+            pickle.loads(pickle.dumps(machine)))
+
+
 def core():
     """Registers, memory and parameters are those of the files that the tool exports."""
     machine = sphaera.read(PAPER5).build(profile="draft", width=32, height=20)
@@ -521,14 +547,17 @@ def interrupts():
             sent = []
             timer = threading.Timer(wait, lambda: (sent.append(time.monotonic()),
                                                    os.kill(os.getpid(), signal.SIGINT)))
-            timer.start()
+            begun = False
             try:
+                timer.start()
+                begun = True
                 what(*words)
                 timer.join()
                 time.sleep(1)
                 assert what == small.write, "not interrupted"
             except KeyboardInterrupt:
-                late.append(time.monotonic() - sent[0])
+                if begun:
+                    late.append(time.monotonic() - sent[0])
         assert what == small.write or min(late) < 0.1, late
     assert [p.name for p in folder.iterdir()] in ([], ["a.png"]), list(folder.iterdir())
     again = sphaera.read(PAPER5).build(width=1600, height=900).render()
@@ -540,7 +569,7 @@ def interrupts():
 
 def builds():
     """A build that is cancelled, by its function or by Ctrl-C, asks hardly once more whether it
-    goes on: in a BIH, and while profile and tree are measured."""
+    goes on: in a BIH, and while profile and tree are measured; a price and many rays likewise."""
     for name, words in (("random:30000", {"profile": "standard", "accel": "bih"}),
                         ("random:1000", {"width": 160, "height": 90})):
         scene, calls, after = sphaera.read(name), [], 5
@@ -564,10 +593,29 @@ def builds():
         calls.clear()
         refused(KeyboardInterrupt, "", scene.build, progress=interrupts_itself, **words)
         assert len(calls) <= after + 2, (name, len(calls))
+    calls.clear()
+    scene.price(width=320, height=180, progress=lambda *_: calls.append(0))
+    assert len(calls) > 2 * after, len(calls)
+    calls.clear()
+    refused(sphaera.Error, "^cancelled$", scene.price, width=320, height=180, progress=asked)
+    assert len(calls) <= after + 2, len(calls)
+    calls.clear()
+    refused(KeyboardInterrupt, "", scene.price, width=320, height=180, progress=interrupts_itself)
+    assert len(calls) <= after + 2, len(calls)
+    calls.clear()
+    rays, traces = np.ones((1 << 22, 3), np.int32), sphaera.machine.call
+
+    def traced(*words):
+        interrupts_itself()
+        traces(*words)
+
+    with unittest.mock.patch("sphaera.machine.call", traced):
+        refused(KeyboardInterrupt, "", scene.build(profile="draft").trace_rays, rays, rays)
+    assert len(calls) <= after + 2, len(calls)
 
 
 if __name__ == "__main__":  # a child that is spawned reads this file too
-    for promise in (declarations, words, frames, ray, arrays, batches, options, core, stages,
-                    verify, errors, threads, strict, pickled, children, interrupts,
+    for promise in (declarations, words, frames, ray, arrays, batches, options, refitted, core,
+                    stages, verify, errors, threads, strict, pickled, children, interrupts,
                     builds):
         promise()

@@ -93,7 +93,7 @@ in_memory() { # what core.c prints is what the tool exports and counts
 }
 check "registers, memory, parameters, counters, stages" in_memory
 whole_machine() {
-    ./machine >known && cat known && ! has ': NO$' known && [ "$(grep -c ': yes$' known)" = 4 ] &&
+    ./machine >known && cat known && ! has ': NO$' known && [ "$(grep -c ': yes$' known)" = 5 ] &&
         has '^arrays, row 3: left out: sphere that stands there twice' known &&
         has '^core lights1.spans, [0-9]+ parameters' known && has '^rays_primary [1-9]' known &&
         has '^reference keeps' known && has '^error: directions.0. has no length' known

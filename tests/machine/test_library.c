@@ -56,6 +56,9 @@ static void test_null(void **unused) {
     REFUSED("price", sphaera_price_measure(s, NULL, 0, 0, 0, NULL, &error));
     REFUSED("scene", sphaera_build(NULL, NULL, &m, &error));
     REFUSED("machine", sphaera_build(s, NULL, NULL, &error));
+    REFUSED("scene", sphaera_refit(NULL, m, NULL, NULL, &m, &error));
+    REFUSED("machine", sphaera_refit(s, NULL, NULL, NULL, &m, &error));
+    REFUSED("moved", sphaera_refit(s, m, NULL, NULL, NULL, &error));
     REFUSED("path", sphaera_machine_read(NULL, &m, &error));
     REFUSED("machine", sphaera_machine_read("m", NULL, &error));
     REFUSED("machine", sphaera_machine_write(NULL, "m", &error));
@@ -449,6 +452,130 @@ static void test_kinds(void **unused) {
     }
 }
 
+/* Frame `at` of a scene that moves, in the tree of `machine`, or built by the options if it is
+ * NULL.
+ */
+static sphaera_machine *moved(uint32_t at, const sphaera_machine *machine,
+                              const sphaera_build_options *o) {
+    sphaera_scene *s;
+    sphaera_machine *m;
+    sphaera_error error = {""};
+    assert_int_equal(sphaera_scene_read("scenes/texture/robot.nff", at, &s, &error), 0);
+    int rc = machine ? sphaera_refit(s, machine, NULL, NULL, &m, &error)
+                     : sphaera_build(s, o, &m, &error);
+    if (rc) fail_msg("%s", error.text);
+    sphaera_scene_free(s);
+    return m;
+}
+
+/* What its frame has; frees the machine. */
+struct seen {
+    uint64_t ids, visits, hash;
+};
+
+static struct seen seen(sphaera_machine *m) {
+    enum { PIXELS = 48 * 27 };
+    uint32_t id[PIXELS], visits[PIXELS];
+    struct seen of = {0};
+    sphaera_frame *f;
+    assert_int_equal(sphaera_render(m, 0, &f, NULL), 0);
+    assert_int_equal(sphaera_frame_width(f) * sphaera_frame_height(f), PIXELS);
+    sphaera_frame_id(f, id);
+    sphaera_frame_visits(f, visits);
+    for (int i = 0; i < PIXELS; i++)
+        of.ids = 31 * of.ids + id[i], of.visits += visits[i];
+    of.hash = sphaera_frame_hash(f);
+    sphaera_frame_free(f);
+    sphaera_machine_free(m);
+    return of;
+}
+
+static int ends(void *user, int done, int all) {
+    (void)user, (void)done, (void)all;
+    return 1;
+}
+
+/* A tree that is refitted shows what one that is built shows, whatever it was refitted to before;
+ * what cannot be refitted is refused. That frames are the tool's is in tests/flow/test_python.sh.
+ */
+static void test_refit(void **unused) {
+    static const char *const accels[] = {"bvh4", "bih", "box4", "brute", "auto"};
+    sphaera_build_options o;
+    sphaera_error error = {""};
+    sphaera_scene *s;
+    sphaera_machine *m, *none;
+    (void)unused;
+    for (size_t i = 0; i < sizeof accels / sizeof *accels; i++) {
+        sphaera_build_init(&o);
+        o.width = 16, o.height = 9, o.samples = 3, o.accel = accels[i], o.refit = 1;
+        m = moved(0, NULL, &o);
+        assert_true(sphaera_machine_tree_cost(m) == 1);
+        sphaera_machine *two = moved(2, m, NULL), *three = moved(3, m, NULL);
+        if (i < 3) assert_true(sphaera_machine_tree_cost(three) != 1);
+        o.profile = sphaera_machine_profile(m);
+        struct seen anew = seen(moved(3, NULL, &o));
+        sphaera_machine_free(m);
+        sphaera_machine *after = moved(3, two, NULL);
+        sphaera_machine_free(two);
+        struct seen fitted = seen(three);
+        assert_true(fitted.ids == anew.ids && fitted.hash == seen(after).hash);
+        if (i < 2) assert_true(fitted.visits != anew.visits);
+    }
+    static const char head[] = "v from 0 0 9 at 0 0 0 up 0 1 0 angle 40 resolution 8 4\n"
+                               "f 1 0 0 1 0 0 0 1\n";
+    static const char ball[] = "s 0 0 0 1\n", floor[] = "p 3 -4 -1 -4 4 -1 -4 0 -1 5\n";
+    static const struct {
+        const char *is[3], *says;
+    } others[] = {
+        {{ball, "s 2 0 0 1\n", floor},
+         "s: 2 spheres, 1 triangles and planes on the grid, the "
+         "tree is of 1 and 1"},
+        {{ball, "", ""}, "s: 1 spheres, 0 triangles and planes"},
+        {{ball, "plane 0 -2 0 0 1 0\n", ""}, "s: primitive 1 is of another kind"},
+        {{"s 1 0 0 2\n", floor, ""}, ""}, /* moved */
+    };
+    char it[256];
+    int n = snprintf(it, sizeof it, "%s%s%s", head, ball, floor);
+    sphaera_build_init(&o);
+    assert_int_equal(sphaera_scene_parse(it, (size_t)n, "s", 0, &s, NULL), 0);
+    assert_int_equal(sphaera_build(s, &o, &m, NULL), 0);
+    assert_int_equal(sphaera_refit(s, m, NULL, NULL, &none, &error), -1);
+    assert_non_null(strstr(error.text, "s: the machine keeps no tree"));
+    sphaera_machine_free(m);
+    o.refit = 1;
+    assert_int_equal(sphaera_build(s, &o, &m, NULL), 0);
+    assert_int_equal(sphaera_refit(s, m, ends, NULL, &none, &error), -1);
+    assert_string_equal(error.text, "cancelled");
+    sphaera_scene_free(s);
+    for (size_t i = 0; i < sizeof others / sizeof *others; i++) {
+        const char *const *is = others[i].is;
+        n = snprintf(it, sizeof it, "%s%s%s%s", head, is[0], is[1], is[2]);
+        assert_int_equal(sphaera_scene_parse(it, (size_t)n, "s", 0, &s, NULL), 0);
+        begin(others[i].says);
+        int rc = sphaera_refit(s, m, NULL, NULL, &none, &error);
+        answered(rc, &error, others[i].says);
+        assert_int_equal(rc, others[i].says[0] ? -1 : 0);
+        if (!rc) sphaera_machine_free(none);
+        sphaera_scene_free(s);
+    }
+    sphaera_machine_free(m);
+    assert_int_equal(sphaera_scene_parse(it, (size_t)n, "s", 0, &s, NULL), 0);
+    for (int i = 0; i < 4; i++) {
+        static const char *const says[] = {"refit: a tree 'paper'", "refit: with traverse 'first'",
+                                           "refit: effects 'met'", "refit is 2, not 0 to 1"};
+        sphaera_build_init(&o);
+        o.refit = i == 3 ? 2 : 1;
+        if (i == 0) o.tree = "paper";
+        if (i == 1) o.traverse = "first";
+        if (i == 2) o.effects = "met";
+        begin(says[i]);
+        int rc = sphaera_build(s, &o, &m, &error);
+        answered(rc, &error, says[i]);
+        assert_int_equal(rc, -1);
+    }
+    sphaera_scene_free(s);
+}
+
 /* Rows are those of `sphaera price`, which tests/tool/test_price.sh looks at. */
 static void test_price(void **unused) {
     sphaera_scene *s;
@@ -491,6 +618,7 @@ int main(void) {
         cmocka_unit_test(test_null),    cmocka_unit_test(test_rays),
         cmocka_unit_test(test_options), cmocka_unit_test(test_scenes),
         cmocka_unit_test(test_arrays),  cmocka_unit_test(test_units),
-        cmocka_unit_test(test_kinds),   cmocka_unit_test(test_price)};
+        cmocka_unit_test(test_kinds),   cmocka_unit_test(test_price),
+        cmocka_unit_test(test_refit)};
     return cmocka_run_group_tests_name("library", tests, NULL, NULL);
 }

@@ -92,6 +92,8 @@ int sph_emit_tree(const struct sph_scene *scene, const struct sph_build_options 
         o->traverse == SPH_BUILD_NEAREST && o->tree != SPH_TREE_PAPER && o->tree != SPH_TREE_HW;
     struct sph_kept_tree *kept = may ? o->kept : NULL;
     if (kept) kept->refitted = 0, kept->cost = 1;
+    if (kept && kept->how == SPH_REFIT_ONLY && sph_kept_fits(kept, plants, scene->path, err))
+        return -1;
     int failed = sph_tree_bih(o->tree) ? emit_bih(scene, o, plants, tree, m, report, err)
                                        : emit_four(scene, plants, kept, may, tree, m, report, err);
     report->refitted = kept ? kept->refitted : 0;

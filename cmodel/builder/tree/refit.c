@@ -16,13 +16,25 @@ void sph_kept_free(struct sph_kept_tree *kept) {
     *kept = (struct sph_kept_tree){.how = kept->how, .loss = kept->loss};
 }
 
-/* Whether what is kept is a tree of these primitives, wherever they are. */
-static int same(const struct sph_kept_tree *kept, const struct sph_plants *p) {
-    if (kept->kind != p->kind || kept->n_spheres != p->n_spheres || kept->n_facets != p->facets->n)
-        return 0;
+int sph_kept_fits(const struct sph_kept_tree *kept, const struct sph_plants *p, const char *path,
+                  struct sph_error *err) {
+    if (kept->kind != p->kind) return sph_fail(err, "%s: the tree is of another kind", path);
+    if (kept->n_spheres != p->n_spheres || kept->n_facets != p->facets->n)
+        return sph_fail(err,
+                        "%s: %u spheres, %u triangles and planes on the grid, the tree is of %u "
+                        "and %u",
+                        path, p->n_spheres, p->facets->n, kept->n_spheres, kept->n_facets);
     for (uint32_t i = 0; i < p->facets->n; i++)
-        if (kept->kinds[i] != p->facets->list[i].kind) return 0;
-    return 1;
+        if (kept->kinds[i] != p->facets->list[i].kind)
+            return sph_fail(err, "%s: primitive %u is of another kind than that of the tree", path,
+                            p->n_spheres + i);
+    return 0;
+}
+
+/* Whether what is kept is to be refitted to these primitives. */
+static int same(const struct sph_kept_tree *kept, const struct sph_plants *p) {
+    struct sph_error unsaid = {""};
+    return kept->how != SPH_REFIT_KEEP && !sph_kept_fits(kept, p, "", &unsaid);
 }
 
 /* Forgets what is kept, and notes what the next tree is made of. */
@@ -51,7 +63,7 @@ static void *copy(const void *from, size_t bytes, struct sph_error *err) {
 /* What became of a refitted tree: 1 if it is good enough. */
 static int taken(struct sph_kept_tree *kept, double cost) {
     double over = kept->built > 0 ? cost / kept->built : 1;
-    kept->refitted = kept->how == SPH_REFIT_ON || over <= 1 + kept->loss;
+    kept->refitted = kept->how != SPH_REFIT_AUTO || over <= 1 + kept->loss;
     if (kept->refitted) kept->cost = over;
     return kept->refitted;
 }

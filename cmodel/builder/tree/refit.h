@@ -16,7 +16,9 @@
 #include "builder/tree/bih.h"
 #include "builder/tree/tree.h"
 
-enum { SPH_REFIT_OFF, SPH_REFIT_ON, SPH_REFIT_AUTO };
+/* KEEP: every tree is built and kept. ONLY: other primitives than those of the kept tree are an
+ * error, so that it does not change. */
+enum { SPH_REFIT_OFF, SPH_REFIT_ON, SPH_REFIT_AUTO, SPH_REFIT_KEEP, SPH_REFIT_ONLY };
 
 /* What the frames of a sequence share; all zero before the first. One sequence has one profile and
  * one way of building. */
@@ -36,6 +38,11 @@ struct sph_kept_tree {
 };
 
 void sph_kept_free(struct sph_kept_tree *kept);
+
+/* 0 if the kept tree is one of these primitives, wherever they are; -1 with a message that says
+ * which are others, behind `path`. */
+int sph_kept_fits(const struct sph_kept_tree *kept, const struct sph_plants *plants,
+                  const char *path, struct sph_error *err);
 
 /* sph_tree_build(), or the kept tree refitted to the same primitives in other places. kept may be
  * NULL. */
