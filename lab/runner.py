@@ -49,6 +49,11 @@ def scene_file(tool, scene, made):
     return made
 
 
+def core_name(name, pipes=1):
+    """The file of a machine's run through the RTL."""
+    return f"{name}.core{'' if pipes == 1 else pipes}.json"
+
+
 class Runner:
     """Runs of the tool, whose results lie in a folder."""
 
@@ -69,9 +74,11 @@ class Runner:
     def run(self, *words, good=(0,)):
         return said(self.tool, *words, good=good)
 
-    def simulate(self, name, effects, latency):
-        """The machine NAME.sph through the RTL, with cold and with warm caches: NAME.core.json"""
+    def simulate(self, name, effects, latency, pipes=1):
+        """The machine NAME.sph through the RTL, with cold and with warm caches: NAME.core.json,
+        with several pipes NAME.coreN.json"""
         print("  SIM ", name, flush=True)
-        with intact.beside(self.path(name + ".core.json")) as new:
+        with intact.beside(self.path(core_name(name, pipes))) as new:
             said("sh", "sim/core.sh", "--machine", self.path(name + ".sph"), "--warm", "--latency",
-                 latency, "--json", new, EFFECTS=effects, BUILD=self.build, JOBS="1")
+                 latency, "--json", new, EFFECTS=effects, PIPES=str(pipes), BUILD=self.build,
+                 JOBS="1")

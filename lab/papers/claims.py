@@ -425,14 +425,14 @@ AROXA = [
      "make papers", "other"),
     ("Fig. 4.4", "BIH 8 is best in 7 of 9",
      "BIH {best_leaf} is best in {best_of} of 9, but at most {best_by} % better than BIH 1, since "
-     "with small leaves other units bind: keys of hits on the plane in {keys_least} to {keys_most}"
-     " % of the clocks, the set-up of rays for planes in {setup_least} to {setup_most} %. With BIH"
-     " 16 exact tests bind as well, in up to {records_most} % "
+     "with small leaves other units bind: points and normals of hits in {points_least} to "
+     "{points_most} % of the clocks, the set-up of rays for planes in {setup_least} to "
+     "{setup_most} %. With BIH 16 exact tests bind as well, in up to {records_most} % "
      "([trees.md](trees.md#figure-44-speed))",
      "trace/bih_walk.c; rt_bih", "limit",
      "make scenarios-rtl", "other"),
     ("Fig. 4.4", "787 to 1495 % more frames than brute force",
-     "5.5 to 43 times in the RTL, 8 and 9 in Scenario 1 with 64 spheres at 640x1088 "
+     "{gain_least} to {gain_most} times in the RTL, at 40x68 "
      "([trees.md](trees.md#figure-44-speed))",
      "trace/bih_walk.c; rt_bih", "limit",
      "make scenarios-rtl", "same in kind"),
@@ -538,6 +538,7 @@ def leaves_told():
     head, rows = data.read("trees.bih_cycles")
     times = [[float(cell.split(":")[0]) for cell in row[1:]] for row in rows]
     ways = [name.split()[1] for name in head[1:]]
+    times_brute = [float(cell.split(":")[1]) for row in rows for cell in row[1:]]
     best = [ways[row.index(min(row))] for row in times]
     often = max(set(best), key=best.count)
     gains = [100 * (row[0] / min(row) - 1) for row in times]
@@ -548,7 +549,7 @@ def leaves_told():
                  for row in rows for column in columns]
         return [int(part[1]) if part else 0 for part in found]
     few = [f"BIH {n}" for n in (1, 2, 4)]
-    keys, setup = parts("keys of facets", *few), parts("rays set up for planes", *few)
+    points, setup = parts("points and normals", *few), parts("rays set up for planes", *few)
     records = parts("exact tests", "BIH 16")
     none = parts("none", "brute")
     head, rows = data.read("trees.bih_tree_cycles")
@@ -556,7 +557,8 @@ def leaves_told():
     heuristic = min(v for way, v in draws.items() if way.startswith("bih")) / draws["reinserted"]
     return {"heuristic": f"{heuristic:.1f}", "best_leaf": often,
             "best_of": best.count(often), "best_by": f"{max(gains):.0f}",
-            "keys_least": min(keys), "keys_most": max(keys), "setup_least": min(setup),
+            "gain_least": f"{min(times_brute):.0f}", "gain_most": f"{max(times_brute):.0f}",
+            "points_least": min(points), "points_most": max(points), "setup_least": min(setup),
             "setup_most": max(setup), "records_most": max(records), "brute_none": max(none)}
 
 

@@ -10,7 +10,7 @@ import os
 
 from .. import intact
 from ..pages import whole
-from ..runner import Runner as Runs
+from ..runner import Runner as Runs, core_name
 from ..tree_options import options
 
 SPHERES = 4096
@@ -28,7 +28,7 @@ RENDERS = 3
 # the thesis's frame; what of Figure 4.4 the RTL draws of it
 DRAWN = ("1", 1), ("3", 1), *(("infinity", prims) for prims in (1, 64, 32, 2))
 FULL = ["--size", "640x1088"]
-FULL_RTL = [(1, 64, "brute"), (1, 64, "bih1"), (1, 64, "bih8")]
+FULL_RTL = [(1, 64, "bih1", 1), (1, 64, "bih8", 1), *((s, 64, "bih1", 2) for s in (1, 2, 3))]
 
 
 class Runner(Runs):
@@ -58,10 +58,10 @@ class Runner(Runs):
             result["render"], result["render_times"] = runs[0], [r["cpu_seconds"] for r in runs]
         intact.write(self.path(name + ".json"), json.dumps(result, indent=1))
 
-    def core(self, name):
+    def core(self, name, pipes=1):
         """The machine through the RTL, twice: the second time with warm caches."""
-        if self.rtl and not self.fresh(name + ".core.json", *whole.RTL):
-            self.simulate(name, "auto", 100)
+        if self.rtl and not self.fresh(core_name(name, pipes), *whole.RTL):
+            self.simulate(name, "auto", 100, pipes)
 
 
 def scene_file(runner, name):
@@ -117,8 +117,9 @@ def main(tool, folder, rtl=False, rtl_small=False):
                 scene = runner.generated(kind, n)
                 name = f"speed-{number}-{n}-{way}"
                 runner.machine(name, scene, options(way) + PRIMARY + FULL, RENDERS)
-                if (number, n, way) in FULL_RTL:
-                    runner.core(name)
+                for *drawn, pipes in FULL_RTL:
+                    if drawn == [number, n, way]:
+                        runner.core(name, pipes)
     for scene in SCENES:
         for way in ACCELS:
             tree(runner, scene, way)

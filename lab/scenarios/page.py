@@ -8,6 +8,7 @@ import sys
 from . import measure
 from ..pages import limits, whole
 from ..pages.place import place
+from ..runner import core_name
 from ..synth import report
 
 # Table 4.2 of the thesis, scenario by scenario with MAX_PRIMS 1 and 8.
@@ -84,9 +85,9 @@ def per_ray(result):
     return {k: c[k] / rays for k in c}
 
 
-def core(folder, name):
+def core(folder, name, pipes=1):
     """The pass with warm caches; None if this RTL has not run."""
-    run = whole.load(os.path.join(folder, name + ".core.json"), *whole.RTL)
+    run = whole.load(os.path.join(folder, core_name(name, pipes)), *whole.RTL)
     if run is None:
         return None
     if run["mismatches"] or run["warm"]["errors"]:
@@ -94,9 +95,9 @@ def core(folder, name):
     return run["warm"]
 
 
-def cycles(folder, name):
+def cycles(folder, name, pipes=1):
     """Cycles a pixel with warm caches."""
-    run = core(folder, name)
+    run = core(folder, name, pipes)
     return run and run["cycles_per_pixel"]
 
 
@@ -143,9 +144,9 @@ def speed_limit(folder, s, n, way):
 
 def full(folder):
     """The thesis's frame in the RTL, each process with the rows that it drew."""
-    rows = [[f"S{s}, {n}", way, shown(cycles(folder, f"speed-{s}-{n}-{way}"))]
-            for s, n, way in measure.FULL_RTL]
-    return report.table(["scenario, spheres", "tree", "cycles a pixel"], rows, 2)
+    rows = [[f"S{s}, {n}", way, str(pipes), shown(cycles(folder, f"speed-{s}-{n}-{way}", pipes))]
+            for s, n, way, pipes in measure.FULL_RTL]
+    return report.table(["scenario, spheres", "tree", "pipes", "cycles a pixel"], rows, 2)
 
 
 def trees(folder):
