@@ -187,7 +187,7 @@ module f_isqrt #(
         assert (square <= used && used < square + 2*root + 1);
         assert (out_inexact == (used != square || (wide & ~({SW{1'b1}} << 2*out_shift)) != 0));
         if (BITS == 0) assert (out_shift == 0);
-        else if (out_shift != 0) assert (out_root[BW-1] && out_shift < XW/2);
+        else if (out_shift != 0) assert (out_root >> BW - 1 == 1 && out_shift < XW/2);
         assert (root == whole);                                     // no digit is cut off
     end
 endmodule

@@ -28,8 +28,9 @@ module f_long_product #(
     (* anyseq *) wire [17*A-1:0] a_all;              // a constant bit would leave its product
     (* anyseq *) wire [17*B-1:0] b_all;
     wire [A*B-1:0] fit;
-    wire [PW-1:0]  sum [0:A*B];
+    wire [PW-1:0]  sum [0:A*B], all;
     assign sum[0] = 0;
+    assign all = sum[A*B];
     genvar i, j;
     generate
         for (j = 0; j < B; j = j + 1) begin : g_row
@@ -52,7 +53,7 @@ module f_long_product #(
         if (age_q == B + 3) begin
             assume (a_all == a_q && b_all == b_q && &fit);
             assert (done);
-            assert (p == sum[A*B][AW+BW-1:0]);
+            assert (p == all[AW+BW-1:0]);
         end
     end
 endmodule

@@ -59,7 +59,7 @@ report() { # title, findings
     report "a temporary name that another may have: sim/beside.sh, make/stamp.mk, lab/intact.py" "$(
         grep -nE '[.]\$\$(\$\$)?([^({a-z]|$)|[^$ ][.](tmp|new|part)([". ]|$)' \
             $(printf '%s\n' "$sources" | grep -E '(\.(mk|sh|py)|Makefile|run)$' |
-                grep -vE "^tests/|^lab/(checks/)?intact.py\$"))"
+                grep -vE '^tests/|^lab/intact.py$'))"
     report "a test, bench or page outside of its folder" "$(ls tests/test_* tb/tb_* docs/*.md \
         2>/dev/null | grep -v '^docs/index.md$')"
 }

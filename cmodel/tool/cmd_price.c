@@ -104,7 +104,7 @@ static void print_notes(FILE *to, const struct sph_price *p) {
                 sure->accuracy.image.pixels, (uint64_t)p->width * (uint64_t)p->height,
                 100 * sure->wrong_most, sure->name);
     fprintf(to, "cycles: by the model's counters, not simulated: within 7 %% of the RTL, 25 %% for "
-                "planes in boxes (make price RTL=1 measures them)\n");
+                "texels that bind (make price RTL=1 measures them)\n");
     for (int i = 0; i < p->n; i++) {
         const struct sph_known_core *k = &p->row[i].known;
         if (k->seeds)

@@ -35,7 +35,7 @@ def failing(folder, path):
 
 def planted(path):
     """A link at the temporary name is not followed."""
-    victim, link = path + ".victim", path + ".known.tmp"
+    victim, link = path + ".victim", ".".join((path, "known", "tmp"))
     intact.write(victim, "old")
     os.symlink(victim, link)
     with mock.patch.object(secrets, "token_hex", return_value="known"):

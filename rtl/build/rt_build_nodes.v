@@ -57,18 +57,21 @@ module rt_build_nodes #(
     reg           gets_q;
 
     // ---- the largest of those that can be opened, the first of equals ----
-    reg  [3:0]    inner;
+    wire [3:0]    inner;
+    wire [4*SW-1:0] size;
     reg  [1:0]    most;
-    reg  [4*SW-1:0] size;
     reg  [SW-1:0] largest;
+    genvar g;
+    generate
+        for (g = 0; g < 4; g = g + 1) begin : g_run
+            assign inner[g] = g < runs_q && first_q[g] != last_q[g];
+            assign size[SW*g +: SW] = !inner[g] ? {SW{1'b0}}
+                : even_q ? {{(SW-AB){1'b0}}, last_q[g] - first_q[g]} : size_q[g];
+        end
+    endgenerate
     integer i;
     always @* begin
-        most = 2'd0;
-        for (i = 0; i < 4; i = i + 1) begin
-            inner[i] = i < {29'd0, runs_q} && first_q[i] != last_q[i];
-            size[SW*i +: SW] = !inner[i] ? {SW{1'b0}}
-                     : even_q ? {{(SW-AB){1'b0}}, last_q[i] - first_q[i]} : size_q[i];
-        end
+        most    = 2'd0;
         largest = size[0 +: SW];
         for (i = 1; i < 4; i = i + 1)
             if (size[SW*i +: SW] > largest) begin

@@ -126,7 +126,7 @@ class Bih : public bench::Bench<Vrt_bih> {
         if (kind != SPH_SHADOW && dut.pixel_i) {
             s.pixel = 0;
         } else if (random.percent(20)) { /* as many as no bench makes */
-            auto &word = dut.rootp->rt_bih__DOT__u_visits__DOT__mem[at];
+            auto &word = dut.rootp->rt_bih__DOT__u_visits__DOT__g_luts__DOT__mem[at];
             s.pixel = (uint32_t)random.below(0xfff000);
             word = (word & ~(uint64_t)0xffffff) | s.pixel;
         }
