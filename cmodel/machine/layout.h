@@ -585,7 +585,7 @@
     X(ROOT_ROUNDS, ((W + WD + ROOT_STEP - 1) / ROOT_STEP)) \
     X(ROOT_CLOCKS, (ROOT_ROUNDS / ROOT_STAGES + 1)) \
     X(QUOTIENT_CLOCKS, ((PQ + QUOTIENT_STEP - 1) / QUOTIENT_STEP + 6)) \
-    X(REFRACT_CLOCKS, (62 + 11 * (WD > 17) + ROOT_ROUNDS))
+    X(REFRACT_CLOCKS, (62 + 11 * (WD > 17) + (W + WD + 1) / 2))
 #define SPH_EACH_LOAD(X)  \
     X(node_visits, "node visits", PIPES, node_visits + ACCEL * (rays + node_visits - child_tests/2)) \
     X(rays_set_up_for_planes, "rays set up for planes", PIPES, (ACCEL + BOXES > 0) * rays * 3) \
