@@ -154,7 +154,7 @@ module units_tb;
     } child_t;
     logic               pass;
     logic signed [15:0] near_depth;
-    child_t             c, c_asked[$];
+    child_t             c, s1, c_asked[$];             // s1: c a clock later
     function automatic child_t some_child();
         child_t n;
         for (int i = 0; i < 3; i++) begin
@@ -173,14 +173,15 @@ module units_tb;
     endfunction
     rt_filter #(.FW(FW)) u_filter (
         .clk(clk), .in_valid_i(!rst), .in_org_x_i(FW'(c.origin[0])), .in_org_y_i(FW'(c.origin[1])),
-        .in_org_z_i(FW'(c.origin[2])), .in_least_i(2'(c.least)), .in_p_a_i(18'(c.p_a)),
-        .in_p_b_i(18'(c.p_b)), .in_q_x_i(18'(c.q[0])), .in_q_y_i(18'(c.q[1])),
-        .in_q_z_i(18'(c.q[2])), .in_axis_i(2'(c.axis)), .in_negative_i(c.negative),
+        .in_org_z_i(FW'(c.origin[2])), .in_least_i(2'(c.least)), .s1_p_a_i(18'(s1.p_a)),
+        .s1_p_b_i(18'(s1.p_b)), .s1_q_x_i(18'(s1.q[0])), .s1_q_y_i(18'(s1.q[1])),
+        .s1_q_z_i(18'(s1.q[2])), .in_axis_i(2'(c.axis)), .in_negative_i(c.negative),
         .in_depth_max_i((FW+1)'(c.depth_max)), .in_ctr_x_i(14'(c.centre[0])),
         .in_ctr_y_i(14'(c.centre[1])), .in_ctr_z_i(14'(c.centre[2])), .in_rad_i(14'(c.radius)),
         .out_pass_o(pass), .out_near_o(near_depth));
     always @(posedge clk) begin
         c <= some_child();
+        s1 <= c;
         if (!rst) c_asked.push_back(c);
         if (!rst && c_asked.size() > LATENCY) begin
             child_t n = c_asked.pop_front();
