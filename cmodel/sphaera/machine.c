@@ -99,12 +99,12 @@ static int build(const struct sph_scene *given, struct sph_api_build *b, struct 
 static int make(const sphaera_scene *scene, struct sph_api_build *b, struct sph_kept_tree *kept,
                 sphaera_machine **machine, struct sph_error *err) {
     sphaera_machine *made = sph_api_machine(err);
+    if (!made) return -1;
     struct sph_api_refit *refit = b->refit && !kept ? calloc(1, sizeof *refit) : NULL;
     struct sph_build_report *report = calloc(1, sizeof *report);
     if (refit) refit->kept.how = SPH_REFIT_KEEP, kept = &refit->kept;
-    int rc = made && report && (kept || !b->refit)
-                 ? build(&scene->scene, b, kept, report, made, err)
-                 : sph_fail(err, "no memory for a machine");
+    int rc = report && (kept || !b->refit) ? build(&scene->scene, b, kept, report, made, err)
+                                           : sph_fail(err, "no memory for a machine");
     free(report);
     if (!rc) {
         sph_machine_core(&made->machine, made->core, sizeof made->core);

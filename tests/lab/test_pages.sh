@@ -84,9 +84,11 @@ by_hand() {
     return $rc
 }
 cells() { # as if they were of these sources; then not
-    python3 -c 'from lab.pages import cores
-known = cores.record()
+    python3 -c 'from lab.pages import cores, verilog
+known, files = cores.record(), verilog.files()
 for name, entry in known.items():
+    for gone in set(entry["modules"]) - set(files):
+        del entry["modules"][gone]
     entry.update(sources=cores.sources(entry["modules"]), parameters=cores.parameters(name))
 cores.write(known)' && python3 -m lab cores --check || return 1
     leaf=$(find rtl -name rt_leaf.v) texel=$(find rtl -name rt_texel.v)
