@@ -38,8 +38,8 @@ cat >put.py <<'END'
 from lab.pages import whole
 from lab.pages.place import place
 place("docs/results/trees.md", "make some", {
-    "bih_full": "| scenario, spheres | tree | cycles a pixel |\n|---|---|---|\n"
-                "| S1, 4 | bih1 | 2.0 |",
+    "bih_full": "| scenario, spheres | tree | pipes | cycles a pixel |\n|---|---|---|---|\n"
+                "| S1, 4 | bih1 | 1 | 2.0 |",
     "bih_work": lambda: "| a |\n|---|\n| 3 |",
     "bih_cycles": lambda: f"| a |\n|---|\n| {whole.load('empty/none.json') or '-'} |",
     "bih_time": lambda: whole.load("empty/other.json")["seconds"]})
