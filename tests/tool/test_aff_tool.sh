@@ -5,7 +5,7 @@ set -u
 . "$(dirname "$0")/../tap.sh"
 cd "$(dirname "$0")/../.." || exit 1
 s=$SPHAERA
-size="--size 32x18 --profile fine"
+size="--size 32x18 --profile fine --accel bvh4"
 
 mkdir -p "$TMP/aff" "$TMP/TextureFiles"
 printf 'P3 2 2 255 255 0 0 0 255 0 0 0 255 255 255 255\n' >"$TMP/TextureFiles/four.ppm"
