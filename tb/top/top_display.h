@@ -156,15 +156,16 @@ static void display_layers(Checks &c, const Golden &a) {
         t.clocks(t.random.below(15 * 68 * t.pixel_every));
         const size_t picture = screen.seen.size();
         c.choose(mux);
-        const size_t written = screen.seen.size(); /* anywhere: in the picture behind, perhaps */
         const int next = c.shown_depth(a);
-        if (!anywhere)
-            c.note("within the picture", !(t.read(SPHAERA_STATUS) & SPHAERA_STATUS_BLANK));
+        const bool blank = t.read(SPHAERA_STATUS) & SPHAERA_STATUS_BLANK;
+        c.note("within the picture", anywhere || !blank);
         c.note("pictures", screen.pictures(3));
         c.note("the picture that was shown stays",
                screen.seen[picture] == now || (anywhere && screen.seen[picture] == next));
-        c.equals("the next one has the layer", (uint64_t)screen.seen[written + 1], (uint64_t)next);
-        c.equals("so has the next", (uint64_t)screen.seen[written + 2], (uint64_t)next);
+        /* in a blanking whose layer is chosen already: from the one after it on */
+        const size_t first = picture + 1 + (blank && screen.seen[picture + 1] == now);
+        c.equals("the next one has the layer", (uint64_t)screen.seen[first], (uint64_t)next);
+        c.equals("so has the next", (uint64_t)screen.seen[picture + 2], (uint64_t)next);
         now = next;
         if (draws) c.equals("draw", (uint64_t)sphaera_wait(&t.driver, POLLS), SPHAERA_OK);
     }
