@@ -11,8 +11,8 @@ module rt_engine #(
     `include "rt_effects.vh"
     `include "rt_shade_parameters.vh"
     parameter PIPES = 1, LEAF_UNITS = 1, SHADES = 1, SETUPS = 1, SLOTS = 64, SQUARES = 0, LUTS = 0,
-    parameter STACK = 16, ACCEL = 0, NODE_LINES = 256, LEAF_LINES = 128, ROOTS = 3, DIVISIONS = 1,
-    parameter ROOT_STEP = 2, DIVISION_STEP = 2, LEAF_INTERVAL = 2, FACET_INTERVAL = 2, UNITS = 2,
+    parameter STACK = 16, ACCEL = 0, NODE_LINES = 256, LEAF_LINES = 128, ROOTS = 3,
+    parameter ROOT_STEP = 2, LEAF_INTERVAL = 2, FACET_INTERVAL = 2, UNITS = 2,
     parameter UNIT_INTERVAL = 2,
     parameter READS = PIPES + LEAF_UNITS + (TEXTURE != 0 ? SHADES : 0)
 ) (

@@ -4,24 +4,15 @@
 with 1 if a module takes more, or is not in the core."""
 import sys
 
+from ..synth import budget
 from . import events, report
 
 CORE = "rt_core"    # with all that is inside of it; other modules without those inside of them
 
 
 def read(path):
-    """{module: (pJ a busy clock, pJ an idle one)}; stops with file and line at what is none."""
-    limits = {}
-    with open(path, encoding="utf-8") as lines:
-        for number, line in enumerate(lines, 1):
-            word = line.split("#")[0].split()
-            if not word:
-                continue
-            if len(word) != 3 or not (word[1] + word[2]).isdigit():
-                sys.exit(f"silicon-budget: {path}:{number}: not `module busy idle`, pJ a clock: "
-                         f"{line.strip()}")
-            limits[word[0]] = int(word[1]), int(word[2])
-    return limits
+    """{module: (pJ a busy clock, pJ an idle one)}"""
+    return budget.read(path, "silicon-budget", "`module busy idle`, pJ a clock")
 
 
 def compared(limits, found):
@@ -40,8 +31,8 @@ def compared(limits, found):
                all(is_now <= limit for is_now, limit in zip(takes, most)))
 
 
-def main(budget):
-    limits, bad = read(budget), 0
+def main(path):
+    limits, bad = read(path), 0
     for line, ok in compared(limits, events.drawn("standard", "random:256", ())):
         bad += not ok
         print(f"{'ok' if ok else 'not ok'} - {line}")

@@ -6,8 +6,8 @@ import sys
 from . import results
 
 
-def read_budget(path):
-    """{module: (multipliers, LUT places)}"""
+def read(path, name="budget", columns="`module MULT18X18D places`"):
+    """{module: two whole numbers}; other columns are an error of file and line, told by name."""
     limits = {}
     with open(path, encoding="utf-8") as lines:
         for number, line in enumerate(lines, 1):
@@ -15,7 +15,7 @@ def read_budget(path):
             if not word:
                 continue
             if len(word) != 3 or not (word[1] + word[2]).isdigit():
-                sys.exit(f"budget: {path}:{number}: not `module MULT18X18D places`: {line.strip()}")
+                sys.exit(f"{name}: {path}:{number}: not {columns}: {line.strip()}")
             limits[word[0]] = int(word[1]), int(word[2])
     return limits
 
@@ -24,7 +24,7 @@ def main(folder, *budgets):
     run = results.read(folder)
     limits = {}
     for path in budgets:
-        limits.update(read_budget(path))
+        limits.update(read(path))
     bad = 0
     for module, (mult, places) in limits.items():
         total = run["modules"].get(module, {"total": None})["total"]
