@@ -22,7 +22,7 @@ module rt_engine #(
     parameter ACCEL      = 0,    // 0: nodes of four spheres, 1: BIH, 2: nodes of four boxes
     parameter NODE_LINES = 256,  // node cache of a pipe
     parameter LEAF_LINES = 128,  // leaf and primitive cache of a leaf unit
-    parameter ROOTS      = 3,    // square root units
+    parameter ROOTS      = 3,    // roots of a leaf unit at once
     parameter ROOT_STEP  = 2,    // root bits a clock
     parameter LEAF_INTERVAL = 2, // clocks an exact test of a sphere
     parameter FACET_INTERVAL = 2, // clocks an exact test of a facet

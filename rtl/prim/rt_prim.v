@@ -18,7 +18,7 @@ module rt_prim #(
     parameter WD    = 17,   // direction component, bits
     parameter NG    = 2,    // guard bits of a hit point
     parameter SLOTS = 32,   // power of two
-    parameter ROOTS = 3,    // square root units
+    parameter ROOTS = 3,    // roots at once
     parameter ROOT_STEP = 2, // root bits a clock
     parameter PR    = 0,    // significant bits of the root, 0: all
     parameter LEAF_INTERVAL = 2, // clocks an exact test of a sphere, 2 or 4

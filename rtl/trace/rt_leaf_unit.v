@@ -18,7 +18,7 @@ module rt_leaf_unit #(
     parameter PIPES = 1,    // from which visits come, power of two
     parameter LINES = 64,   // leaf cache, lines
     parameter LINE_BITS = `RT_LINE_BITS, // bits of a line's number
-    parameter ROOTS = 3,    // square root units
+    parameter ROOTS = 3,    // roots at once
     parameter ROOT_STEP = 2, // root bits a clock
     parameter PR    = 0,    // significant bits of the root, 0: all
     parameter LEAF_INTERVAL = 2, // clocks an exact test of a sphere, 2 or 4
