@@ -16,6 +16,8 @@
  * Both stacks together hold BUILD_STACK clusters: no sphere is taken with the last place, q and p
  * are joined instead.
  */
+#include <stddef.h>
+
 #include "build/build_tree.h"
 #include "machine/layout.h"
 
@@ -53,16 +55,16 @@ uint32_t sph_bt_chain(const struct sph_bt_leaf *leaves, const uint32_t *order, u
     uint32_t behind = 0, ahead = 0, taken = 0; /* ahead: down from the stack's end */
     while (taken < n || ahead || behind > 1) {
         int any = 1;
-        struct cluster *p = &stack[behind - 1], *q = p - 1;
+        struct cluster *p = behind ? &stack[behind - 1] : NULL, *q = behind > 1 ? p - 1 : NULL;
         if (ahead)
             x = stack[SPH_BUILD_STACK - ahead];
         else if (taken < n)
             x = sphere(&leaves[order[taken]], taken);
         else
             any = 0;
-        uint32_t size = behind && any ? join(p, &x, &both) : 0;
+        uint32_t size = p && any ? join(p, &x, &both) : 0;
         int full = !ahead && behind == SPH_BUILD_STACK;
-        if (behind > 1 && (!any || p->size <= size || full)) {
+        if (q && (!any || p->size <= size || full)) {
             pairs[q->last] = (struct sph_bt_pair){q->number, p->number, p->size};
             uint32_t number = q->last;
             join(q, p, &both);

@@ -45,6 +45,18 @@ static inline int sph_tree_bih(int tree) {
     return tree == SPH_TREE_BIH || tree == SPH_TREE_BRUTE;
 }
 
+/* A tree's name; tree: SPH_TREE_PAPER .. SPH_TREE_LAST. */
+static inline const char *sph_tree_name(int tree) {
+    static const char *const names[SPH_TREE_LAST + 1] = {"",      "paper",      "balanced", "bih",
+                                                         "brute", "reinserted", "box4",     "hw"};
+    return names[tree];
+}
+
+/* That of a valid machine. */
+static inline const char *sph_machine_tree_name(const struct sph_machine *m) {
+    return sph_tree_name(m->regs[SPH_REG_TREE]);
+}
+
 /* 1 if the machine holds such a one. */
 static inline int sph_machine_bih(const struct sph_machine *m) {
     return sph_tree_bih(m->regs[SPH_REG_TREE]);

@@ -30,12 +30,6 @@ static void count(const struct sph_machine *m, uint32_t line, uint32_t level, st
         count(m, base + i, level + 1, s);
 }
 
-const char *sph_machine_tree_name(const struct sph_machine *m) {
-    static const char *const names[] = {"",      "paper",      "balanced", "bih",
-                                        "brute", "reinserted", "box4"};
-    return names[m->regs[SPH_REG_TREE] & 7];
-}
-
 void sph_machine_describe_tree(const struct sph_machine *m, FILE *file) {
     struct shape s = {0};
     count(m, (uint32_t)m->regs[SPH_REG_ROOT], 1, &s);

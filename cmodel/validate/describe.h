@@ -25,7 +25,4 @@ void sph_machine_describe_tree(const struct sph_machine *m, FILE *file);
  * sim/cores.py takes them, such as "shadow+reflect2+lights1+rect"; "none" if nothing. */
 void sph_machine_core(const struct sph_machine *m, char *text, size_t size);
 
-/* paper, balanced, reinserted, box4, bih or brute; the machine must be valid. */
-const char *sph_machine_tree_name(const struct sph_machine *m);
-
 #endif

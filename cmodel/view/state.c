@@ -10,8 +10,6 @@
 
 enum { CLICK = 3 }; /* pixels that a button may move and still be a click */
 static const double half_turn = 3.14159265358979323846;
-static const char *const trees[] = {"auto",  "paper",      "balanced", "bih",
-                                    "brute", "reinserted", "box4"};
 static const char *const backgrounds[] = {"none", "rect", "spans", "exact"};
 
 void view_state_start(struct view_state *s, const struct sph_camera *camera,
@@ -202,6 +200,7 @@ int view_state_input(struct view_state *s, const struct view_event *event, doubl
 }
 
 void view_state_words(const struct sph_build_options *b, char *text, size_t size) {
-    snprintf(text, size, "%s, background %s, depth %d, %s", trees[b->tree],
-             backgrounds[b->background], b->max_depth, sph_build_profile(b)->name);
+    snprintf(text, size, "%s, background %s, depth %d, %s",
+             b->tree == SPH_TREE_AUTO ? "auto" : sph_tree_name(b->tree), backgrounds[b->background],
+             b->max_depth, sph_build_profile(b)->name);
 }
