@@ -11,37 +11,23 @@ extern "C" {
 
 #ifdef SCRIPTED
 static void scripted(Checks &c, const Golden &any);
+namespace {
+void environment(Checks &c, const Golden &a, const Golden &b);
+}
 #endif
 
 /* Every bit of every setting, each by itself; a reset gives all what they had. */
 static void settings(Checks &c) {
-    static const struct {
-        uint32_t at, kept;
-    } all[] = {{SPHAERA_INTERRUPT_ENABLE, 0xf},
-               {SPHAERA_WATCHDOG, 0xffffffff},
-               {0x040, 0xfffff000},
-               {0x044, 0xffffffc0},
-               {0x048, 0xffffffc0},
-               {0x04c, 0xffffffc0},
-               {0x050, 0xffe0},
-               {0x054, 1},
-               {0x058, 3},
-               {0x05c, 1},
-               {0x060, 0xf},
-               {0x064, 0x1fff1fff},
-               {0x068, 0x1fff1fff},
-               {0x06c, 0x1fff1fff},
-               {0x070, 0x1fff1fff},
-               /* the last ones are there by parameters */
-               {ADDR > 32 ? 0x078u : 0x074u, ADDR > 32 ? 0xffffffff : 0xffffffc0},
-               {0x074, 0xffffffc0}};
     TopHost &t = c.top;
-    const size_t count = std::size(all) - (ADDR > 32 ? !c.layers : 1 + !c.layers);
-    uint32_t first[std::size(all)], copy[std::size(all)];
+    std::vector<Setting> all;
+    for (const auto &[at, setting] : settings_of())
+        all.push_back(setting);
+    const size_t count = all.size();
+    std::vector<uint32_t> copy(count);
     t.stall = 40;
     t.reset();
     for (size_t i = 0; i < count; i++)
-        first[i] = copy[i] = t.read(all[i].at);
+        c.equals("setting behind a reset", t.read(all[i].at), copy[i] = all[i].reset);
     for (int n = 0; n < 200; n++) {
         const size_t at = (size_t)t.random.below((uint32_t)count);
         const uint32_t value = (uint32_t)t.random.next();
@@ -56,7 +42,7 @@ static void settings(Checks &c) {
     }
     t.reset();
     for (size_t i = 0; i < count; i++)
-        c.equals("setting after a reset", t.read(all[i].at), first[i]);
+        c.equals("setting after a reset", t.read(all[i].at), all[i].reset);
     t.stall = 0;
     c.done("settings: each bit, strobes, reset");
 }
@@ -301,9 +287,8 @@ static void store(Checks &c, const Golden &a) {
         unsigned newest = c.newest();
         if (i % 2) { /* by the port: then TAKE would show the same again */
             t.clocks(4);
-            t.dut.take_i = 1;
+            t.take_in = 1;
             t.clock();
-            t.dut.take_i = 0;
             shown = (t.read(SPHAERA_STATUS) & SPHAERA_STATUS_SHOWN) >> SPHAERA_STATUS_SHOWN_LSB;
         } else {
             c.equals("take", (uint64_t)sphaera_take(&t.driver, &shown), SPHAERA_OK);
@@ -390,6 +375,7 @@ int main(int argc, char **argv) {
     if (c->layers && c->top.driver.built & SPHAERA_CORE_BUS_VIDEO) display_layers(*c, a);
 #ifdef SCRIPTED
     scripted(*c, b);
+    environment(*c, a, b);
 #endif
     return c->finish();
 }

@@ -202,6 +202,8 @@ class Checks {
                 printf("# %s\n", side->broken.c_str());
                 good_ = false;
             }
+        if (!top.view.broken.empty()) printf("# %s\n", top.view.broken.c_str());
+        note("the host's view", top.view.broken.empty());
         note("a register did not answer", !top.hangs);
         printf("%s %d - %s, seed %llu: %ld conditions\n", good_ ? "ok" : "not ok", ++number_, name,
                (unsigned long long)seed_, conditions_);
