@@ -28,7 +28,8 @@ PARAMETERS := $(shell sim/cores.py profile '$(PROFILE)') \
 VERILATE := $(VERILATOR) --cc --language 1364-2005 -O3 --x-assign unique --x-initial unique \
                 --top-module rt_top --prefix Vrt_top $(PARAMETERS:%=-G%) \
                 $(RTL_DIRS:%=-y %) $(RTL_DIRS:%=-I%)
-VERILATE += $(if $(filter tb_shell,$(BENCH)),+define+TOP_VIEW +1800-2017ext+sv $K/rt_core.sv,-Wall) \
+VERILATE += +1800-2017ext+sv -Iformal -Itb/top tb/top/rt_top_rules.sv \
+            $(if $(filter tb_shell,$(BENCH)),+define+TOP_VIEW $K/rt_core.sv,-Wall) \
             $(filter %/rt_top.v %/cells.v,$(RTL_FILES))
 DRIVER   := $S/obj/driver.o
 VERILATED := $S/obj/bench_verilated.o $S/obj/bench_verilated_threads.o
@@ -46,7 +47,7 @@ $K/rt_core.sv: rtl/core/rt_core.v tb/top/golden_core.svh
 	@mkdir -p $K
 	sed '/^);/q' $< | cat - tb/top/golden_core.svh >$@
 
-$K/all.cpp: $(RTL_FILES) $K/flags $(if $(filter tb_shell,$(BENCH)),$K/rt_core.sv)
+$K/all.cpp: $(RTL_FILES) $(wildcard formal/f_axi_rules.v tb/*/*_rules.sv) $K/flags $(if $(filter tb_shell,$(BENCH)),$K/rt_core.sv)
 	@rm -f $K/Vrt_top*
 	$(VERILATE) --Mdir $K
 	@sh sim/at_once.sh $K tb/top/$(BENCH).cpp >$@

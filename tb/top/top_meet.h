@@ -164,6 +164,7 @@ void right_again(Checks &c, const Golden &golden) {
 
 void scripted_frames(Checks &c, const Golden &any) {
     TopHost &t = c.top;
+    t.stall = 0; /* so that the order comes in the clock that is meant */
     sphaera_reset(&t.driver, 0, POLLS);
     c.load(any, SCENE_A);
     sphaera_set(&t.driver, SPH_REG_MEM_LINES, 1);
@@ -184,7 +185,7 @@ void meetings(Checks &c, const Golden &a) {
             unsigned after = 0;
             while (after < (kind == DRAINS ? 70 : loads + 110) && c.top.view.broken.empty()) {
                 meet(c, (Kind)kind, order, after);
-                after += kind != DRAINS && after >= 4 && after < loads - 10 ? 37 : 1;
+                after += kind != DRAINS && after >= 4 && after < loads - 20 ? 24 : 1;
             }
         }
     right_again(c, a);
@@ -219,7 +220,7 @@ void clears(Checks &c, const Golden &a) {
     t.pixel = [](Vrt_top &) {};
     t.pixel_every = 1;
     sphaera_video(&t.driver, &mode);
-    for (int i = 0; i < 120; i++) {
+    for (int i = 0; i < 160; i++) {
         t.write(SPHAERA_CONTROL, SPHAERA_CONTROL_START);
         t.clocks(300 + (unsigned)i);
         Manner m;
@@ -228,7 +229,7 @@ void clears(Checks &c, const Golden &a) {
         m.deaf_after = i % 3 ? 2 : -1;
         t.scan.behave(m);
         for (int n = 0; n < 80; n++)
-            give(t, n + i & 1 ? CLEAR_ERRORS : CLEAR_INTERRUPTS);
+            give(t, i & 1 ? CLEAR_ERRORS : CLEAR_INTERRUPTS);
         t.scan.revive();
     }
     sphaera_video(&t.driver, nullptr);
