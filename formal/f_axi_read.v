@@ -5,6 +5,7 @@
 // at any time.
 `timescale 1ns / 1ps
 `default_nettype none
+`include "axi_rules.vh"
 module f_axi_read #(
     parameter DATA = 64,
     parameter PENDING = 4,

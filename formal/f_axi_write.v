@@ -4,6 +4,7 @@
 // length; what they hold is free.
 `timescale 1ns / 1ps
 `default_nettype none
+`include "axi_rules.vh"
 module f_axi_write #(
     parameter DATA = 64,
     parameter ADDR = 32

@@ -7,6 +7,7 @@
 `default_nettype none
 `include "rt_layout.vh"
 `include "rt_top.vh"
+`include "axi_rules.vh"
 module f_control #(
     parameter LAYERS = 0,
     parameter ADDR = 32

@@ -6,6 +6,7 @@
 // end with its last byte; every beat finds room; a header is written when no beat is on its way.
 `timescale 1ns / 1ps
 `default_nettype none
+`include "axi_rules.vh"
 module f_scan #(
     parameter DATA  = 64,
     parameter BURST = 4,

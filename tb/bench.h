@@ -37,7 +37,7 @@ extern "C" {
 constexpr int SLOTW = __builtin_ctz(SLOTS); /* bits of a slot */
 #endif
 
-/* A rule of formal/f_axi_rules.v does not hold, in the instance that `what` names. */
+/* A rule of formal/axi_rules.vh does not hold, in the instance that `what` names. */
 extern "C" inline void axi_rule_broken(const char *what) {
     printf("not ok - %s\n", what);
     fflush(stdout);

@@ -1,7 +1,7 @@
-// rt_top_rules.sv - the rules of formal/f_axi_rules.v at every bus of rt_top
+// rt_top_rules.sv - the rules of formal/axi_rules.vh at every bus of rt_top
 // SPDX-License-Identifier: Apache-2.0
 /* verilator lint_off DECLFILENAME */ // a file of several
-`include "f_axi_rules.v"
+`include "axi_rules.vh"
 /* verilator lint_on DECLFILENAME */
 bind rt_axi_read axi_read_rules #(.DATA(DATA), .ADDR(ADDR), .ID($bits(m_arid))) u_rules (
     .clk(clk), .rst(rst), .anew(forget_i), .arvalid(m_arvalid), .arready(m_arready),

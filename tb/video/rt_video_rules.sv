@@ -1,8 +1,8 @@
-// rt_video_rules.sv - the rules of formal/f_axi_rules.v at the buses of rt_video
+// rt_video_rules.sv - the rules of formal/axi_rules.vh at the buses of rt_video
 // SPDX-License-Identifier: Apache-2.0
 `ifndef RULE
 /* verilator lint_off DECLFILENAME */ // a file of several
-`include "f_axi_rules.v"
+`include "axi_rules.vh"
 /* verilator lint_on DECLFILENAME */
 `endif
 bind rt_scan axi_read_rules #(.DATA(DATA), .ADDR(ADDR), .ID(1), .MOST(BURST)) u_rules (

@@ -1,18 +1,17 @@
-// f_axi_rules.v - rules of AXI4, AXI4-Lite and AXI4-Stream, the same in proofs and in simulations
+// axi_rules.vh - rules of AXI4, AXI4-Lite and AXI4-Stream, the same in proofs and in simulations
 // SPDX-License-Identifier: Apache-2.0
 // What a master or a slave of this project must keep, clock by clock, whatever the other side does.
 // A proof has them beside its module; a bench binds them to every instance of it (tb/*/*_rules.sv),
 // where the first one that is broken ends it. anew: the bus is reset, so nothing waits any more; a
 // STOP is no such thing.
 `timescale 1ns / 1ps
-`default_nettype none
-`ifdef FORMAL
-`define RULES always @*
-`define RULE(holds, text) assert (holds)
-`else
+`ifdef VERILATOR
+import "DPI-C" function void axi_rule_broken(input string what);    // of tb/bench.h
 `define RULES always @(posedge clk)
 `define RULE(holds, text) if ((holds) !== 1'b1) axi_rule_broken({`"text`", $sformatf(": %m")})
-import "DPI-C" function void axi_rule_broken(input string what);
+`else
+`define RULES always @*
+`define RULE(holds, text) assert (holds)
 `endif
 
 // Addresses and beats of a reader.
@@ -157,4 +156,3 @@ module axi_stream_rules (
     `RULES if (!rst && wait_q)
         `RULE(tvalid && {tdata, tuser, tlast} == pixel_q, a pixel waits unchanged);
 endmodule
-`default_nettype wire
