@@ -3,9 +3,9 @@
 // The bus gives beats of bursts that it took, of any ID, in any clock. The core waits for PENDING
 // lines at most. rt_run cuts the core off until the bus owes nothing, or forgets; resets may come
 // at any time.
+`include "axi_rules.vh"
 `timescale 1ns / 1ps
 `default_nettype none
-`include "axi_rules.vh"
 module f_axi_read #(
     parameter DATA = 64,
     parameter PENDING = 4,

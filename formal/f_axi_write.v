@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The bus answers bursts whose address and data it took, in any clock. Groups come aligned to their
 // length; what they hold is free.
+`include "axi_rules.vh"
 `timescale 1ns / 1ps
 `default_nettype none
-`include "axi_rules.vh"
 module f_axi_write #(
     parameter DATA = 64,
     parameter ADDR = 32

@@ -3,11 +3,11 @@
 // Followed are one setting, any of the list, and one offset that no register has. The processor
 // asks in any clock, address and data of a write in any order; rt_machine and rt_totals are busy at
 // any time.
+`include "axi_rules.vh"
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
 `include "rt_top.vh"
-`include "axi_rules.vh"
 module f_control #(
     parameter LAYERS = 0,
     parameter ADDR = 32

@@ -4,9 +4,9 @@
 // answers only what was asked, and size, stride, format and enable_i change between frames only.
 // An address waits unchanged; a burst stays within 4 KiB; the bursts of a row follow each other and
 // end with its last byte; every beat finds room; a header is written when no beat is on its way.
+`include "axi_rules.vh"
 `timescale 1ns / 1ps
 `default_nettype none
-`include "axi_rules.vh"
 module f_scan #(
     parameter DATA  = 64,
     parameter BURST = 4,
