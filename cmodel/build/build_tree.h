@@ -73,6 +73,7 @@ struct sph_bt_job {
     uint32_t prim_base; /* line of the primitive record of sphere 0 */
     uint32_t root;      /* line of the root: nodes and leaf records follow */
     uint32_t lines;     /* that they may take */
+    int mode;           /* SPH_BUILD_CURVE, _PAPER, _REFIT */
 };
 
 /* Reasons why nothing was written; sticky bits of rt_build. */
@@ -80,7 +81,8 @@ enum {
     SPH_BT_MANY = 1,   /* more spheres than it was built for */
     SPH_BT_ROOM = 2,   /* fewer lines than sph_bt_lines() */
     SPH_BT_RECORD = 4, /* a number not of W bits, a radius of 0, another id or kind of primitive */
-    SPH_BT_BUS = 8     /* memory answered with an error */
+    SPH_BT_BUS = 8,    /* memory answered with an error */
+    SPH_BT_MODE = 16   /* a mode that is not built */
 };
 
 /* Nodes and leaf records of the primitive records that memory holds. most: spheres that fit the

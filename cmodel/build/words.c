@@ -56,7 +56,8 @@ int sph_bt_words(uint32_t *memory, const struct sph_bt_job *job, uint32_t most,
                  const struct sph_profile *profile, uint32_t *written, struct sph_error *err) {
     uint32_t n_nodes, n = job->n;
     *written = 0;
-    int wrong = (n > most ? SPH_BT_MANY : 0) | (job->lines < sph_bt_lines(n) ? SPH_BT_ROOM : 0);
+    int wrong = (n > most ? SPH_BT_MANY : 0) | (job->lines < sph_bt_lines(n) ? SPH_BT_ROOM : 0) |
+                (job->mode != SPH_BUILD_CURVE ? SPH_BT_MODE : 0);
     if (wrong) return wrong;
     struct sph_bt_leaf *leaves = malloc((n + 1ull) * sizeof *leaves);
     struct sph_bt_node *nodes = NULL;

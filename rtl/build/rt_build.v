@@ -19,6 +19,7 @@ module rt_build #(
     input  wire          rst,                // synchronous, active high
     // what is wanted; stays as it is while busy_o is high
     input  wire          start_i,            // while busy_o is low
+    input  wire [1:0]    mode_i,             // RT_BUILD_CURVE, _PAPER, _REFIT
     input  wire [`RT_ID_BITS-1:0] count_i,   // spheres
     input  wire [`RT_LINE_BITS-1:0] prim_base_i, // line of the record of sphere 0
     input  wire [`RT_LINE_BITS-1:0] root_i,  // line of the root, nodes and leaf records follow
@@ -26,7 +27,7 @@ module rt_build #(
     // what became of it
     output wire          busy_o,
     output reg           done_o,             // one clock
-    output reg  [3:0]    error_o,            // until the next start: bus, record, room, many
+    output reg  [4:0]    error_o,            // until the next start: mode, bus, record, room, many
     output reg  [`RT_LINE_BITS-1:0] written_o, // lines from the root's on
     // lines that are read come in their order; each is taken at once
     output wire          req_valid_o,
@@ -61,6 +62,7 @@ module rt_build #(
     wire [AB:0]   count   = count_i[AB:0];
     wire          many    = |(count_i >> AB) && count_i != COUNT[`RT_ID_BITS-1:0];
     wire [`RT_ID_BITS+1:0] need = count_i == 0 ? 1 : {1'b0, count_i, 1'b0};
+    wire          other   = mode_i != `RT_BUILD_CURVE; // not built
     wire          tight   = {{(`RT_ID_BITS){1'b0}}, lines_i} < {{(ADDR-2){1'b0}}, need};
     assign busy_o = state_q != IDLE;
 
@@ -274,8 +276,8 @@ module rt_build #(
 
         case (state_q)
             IDLE: if (start_i) begin
-                state_q <= many || tight ? END : READ;
-                error_o <= {2'b00, tight, many};
+                state_q <= many || tight || other ? END : READ;
+                error_o <= {other, 2'b00, tight, many};
                 written_o <= {ADDR{1'b0}};
                 asked_q <= {(AB+1){1'b0}};
                 came_q  <= {(AB+1){1'b0}};
@@ -317,7 +319,7 @@ module rt_build #(
             state_q       <= IDLE;
             line_q        <= 1'b0;
             key_q         <= 3'd0;
-            error_o       <= 4'd0;
+            error_o       <= 5'd0;
             done_o        <= 1'b0;
             slot_q        <= 2'd0;
             children_q    <= 224'd0;

@@ -28,7 +28,7 @@ static uint64_t next(void *of) {
 static void draw(enum drawn_kind kind, uint32_t n, const struct sph_profile *p,
                  struct sph_bt_job *job) {
     drawn_spheres(kind, leaves, n, p, next, NULL);
-    *job = (struct sph_bt_job){n, 3, n + 5, (uint32_t)sph_bt_lines(n)};
+    *job = (struct sph_bt_job){n, 3, n + 5, (uint32_t)sph_bt_lines(n), SPH_BUILD_CURVE};
     for (size_t i = 0; i < sizeof memory / 4; i++)
         memory[i] = (uint32_t)next(NULL);
     for (uint32_t id = 0; id < n; id++)
