@@ -6,7 +6,6 @@ import math
 import os
 import re
 import shutil
-import shutil
 import subprocess
 
 from .. import intact, tree_options
