@@ -21,7 +21,7 @@ import shutil
 import subprocess
 
 from .. import intact
-from ..benches import Broken, folders
+from ..benches import Broken, folders, text_of
 from ..pages import place
 from . import records, selected
 from .drawn import benches, binary, plan
@@ -54,28 +54,31 @@ class Selected(benches.DrawnLine):
 
 
 class Kept:
-    """What is known: {fault: {"of": digest, "tried": [[judge, verdict, seconds]...]}}."""
+    """What is known of each fault, in a file of its own: so runs may share a folder."""
 
     def __init__(self, build):
-        self.name = f"{build}/designed/results.json"
-        os.makedirs(os.path.dirname(self.name), exist_ok=True)
-        self.known = json.loads(benches.text_of(self.name)) if os.path.exists(self.name) else {}
+        self.folder = f"{build}/designed/results"
+        self.known = {}
+        os.makedirs(self.folder, exist_ok=True)
 
     def of(self, record):
-        seen = repr([(e.path, e.old, e.new) for e in record.edits])
-        for edit in record.edits:
-            with open(edit.path, encoding="utf-8") as f:
-                seen += f.read()
-        digest = hashlib.sha256(seen.encode()).hexdigest()[:12]
-        row = self.known.setdefault(record.name, {"of": digest, "tried": []})
-        if row["of"] != digest:
-            row.update({"of": digest, "tried": []})
-        return row["tried"]
+        """[[judge, verdict, seconds]...] of those that tried this fault in these sources."""
+        if record.name not in self.known:
+            seen = repr([(e.path, e.old, e.new) for e in record.edits])
+            seen += "".join(text_of(e.path) for e in record.edits)
+            digest, name = hashlib.sha256(seen.encode()).hexdigest()[:12], self.name(record)
+            row = json.loads(text_of(name)) if os.path.exists(name) else {}
+            self.known[record.name] = row if row.get("of") == digest else {
+                "of": digest, "tried": []}
+        return self.known[record.name]["tried"]
+
+    def name(self, record):
+        return f"{self.folder}/{record.name}.json"
 
     def add(self, record, judge, verdict, seconds):
         tried = self.of(record)
         tried[:] = [row for row in tried if row[0] != judge] + [[judge, verdict, seconds]]
-        intact.write(self.name, json.dumps(self.known, indent=1))
+        intact.write(self.name(record), json.dumps(self.known[record.name]))
         print(f"{record.name}: {judge}: {verdict}", flush=True)
 
     def alive(self, record):
