@@ -31,6 +31,15 @@ def closed(text, at):
             return at
 
 
+def nested_braces(text):
+    """[(begin, end)] of all braces that lie in no others."""
+    found, at = [], 0
+    while (at := text.find("{", at)) >= 0:
+        found.append((at, closed(text, at)))
+        at = found[-1][1]
+    return found
+
+
 def until(text, at, ends):
     """Where one of some characters stands outside of brackets."""
     while text[at] not in ends:
