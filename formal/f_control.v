@@ -10,7 +10,8 @@
 `include "rt_top.vh"
 module f_control #(
     parameter LAYERS = 0,
-    parameter ADDR = 32
+    parameter ADDR = 32,
+    parameter BUILD = 0
 ) (
     input wire         clk,
     input wire         rst,
@@ -25,8 +26,9 @@ module f_control #(
     input wire         rready,
     input wire [127:0] built,
     input wire [31:0]  status,
-    input wire [15:0]  errors,
-    input wire [2:0]   happened,
+    input wire [63:0]  build,
+    input wire [20:0]  errors,
+    input wire [3:0]   happened,
     input wire         good,
     input wire [31:0]  machine_data,
     input wire         machine_busy,
@@ -35,23 +37,26 @@ module f_control #(
 );
     localparam ALL = `RT_TOP_SETTINGS, OTHERS = `RT_TOP_OTHERS;
     localparam [ALL-1:0] THERE = ~(`RT_TOP_SETTINGS_OF_LAYERS & {ALL{LAYERS == 0}} |
-                                   `RT_TOP_SETTINGS_OF_ADDR & {ALL{ADDR == 32}});
-    localparam [32*ALL-1:0] RESET = `RT_TOP_SETTINGS_RESET, KEPT = `RT_TOP_SETTINGS_KEPT;
+                                   `RT_TOP_SETTINGS_OF_ADDR & {ALL{ADDR == 32}} |
+                                   `RT_TOP_SETTINGS_OF_BUILD & {ALL{BUILD == 0}});
+    localparam [OTHERS-1:0] OTHERS_THERE = ~(`RT_TOP_OTHERS_OF_BUILD & {OTHERS{BUILD == 0}});
+    localparam [32*ALL-1:0] RESET = `RT_TOP_SETTINGS_RESET;
+    localparam [32*ALL-1:0] KEPT = `RT_TOP_SETTINGS_KEPT & ~{{32*ALL-5{1'b0}}, BUILD == 0, 4'd0};
     localparam [12*ALL-1:0] AT = `RT_TOP_SETTINGS_AT;
     localparam [12*OTHERS-1:0]   OTHERS_AT = `RT_TOP_OTHERS_AT;
     wire awready, wready, bvalid, arready, rvalid, irq, busy;
     wire [1:0]  bresp, rresp;
     wire [31:0] rdata;
-    wire [6:0]  order;
+    wire [7:0]  order;
     wire [3:0]  machine_write;
     wire [32*ALL-1:0] settings;
-    rt_control #(.LAYERS(LAYERS), .ADDR(ADDR)) u_dut (
+    rt_control #(.LAYERS(LAYERS), .ADDR(ADDR), .BUILD(BUILD)) u_dut (
         .clk(clk), .rst(rst), .s_awvalid(awvalid), .s_awready(awready), .s_awaddr(awaddr),
         .s_wvalid(wvalid), .s_wready(wready), .s_wdata(wdata), .s_wstrb(wstrb),
         .s_bvalid(bvalid), .s_bready(bready), .s_bresp(bresp), .s_arvalid(arvalid),
         .s_arready(arready), .s_araddr(araddr), .s_rvalid(rvalid), .s_rready(rready),
         .s_rdata(rdata), .s_rresp(rresp), .irq_o(irq), .busy_o(busy), .built_i(built),
-        .status_i(status),
+        .status_i(status), .build_i(build),
         .errors_i(errors), .happened_i(happened), .good_i(good), .order_o(order),
         .settings_o(settings), .machine_write_o(machine_write), .write_addr_o(),
         .write_data_o(), .read_addr_o(), .machine_data_i(machine_data),
@@ -64,8 +69,8 @@ module f_control #(
     );
     (* hierconn *) wire        \u_rules.aw_q , \u_rules.w_q , \u_rules.ar_q ;
     (* hierconn *) wire        \u_rules.b_wait_q , \u_rules.r_wait_q ;
-    (* hierconn *) wire [15:0] \u_dut.errors_q ;
-    (* hierconn *) wire [3:0]  \u_dut.happened_q ;
+    (* hierconn *) wire [20:0] \u_dut.errors_q ;
+    (* hierconn *) wire [4:0]  \u_dut.happened_q ;
     (* hierconn *) wire [31:0] \u_dut.frames_q ;
     (* hierconn *) wire        \u_dut.aw_errors_q , \u_dut.aw_interrupts_q ;
     (* hierconn *) wire        \u_dut.aw_full_q ;
@@ -93,7 +98,8 @@ module f_control #(
             selected[OTHERS+ALL] = counter(at) ||
                                    (machine(at) && at < `RT_TOP_MACHINE + 4*`RT_N_REGS);
             for (n = 0; n < ALL; n = n + 1) selected[n] = THERE[n] && at == AT[12*n +: 12];
-            for (n = 0; n < OTHERS; n = n + 1) selected[ALL+n] = at == OTHERS_AT[12*n +: 12];
+            for (n = 0; n < OTHERS; n = n + 1)
+                selected[ALL+n] = OTHERS_THERE[n] && at == OTHERS_AT[12*n +: 12];
         end
     endfunction
 
@@ -123,14 +129,14 @@ module f_control #(
     wire        anew = order[`RT_TOP_CONTROL_SOFT_RESET];
     wire [11:0] to   = {aw_addr_q, 2'd0};
     wire [31:0] ones = data_q & keep;
-    wire [15:0] errors_after = (errors_m & ~(does && to == `RT_TOP_ERRORS ? ones[15:0] : 16'd0)) |
-                               errors;
-    wire [3:0]  happened_after = {|errors, happened} |
-        (happened_m & ~(does && to == `RT_TOP_INTERRUPTS ? ones[3:0] : 4'd0));
-    reg  [15:0] errors_m;
-    reg  [3:0]  happened_m;
+    wire [20:0] errors_after = errors |
+        (errors_m & ~(does && to == `RT_TOP_ERRORS ? ones[20:0] : 21'd0));
+    wire [4:0]  happened_after = {happened[3], |errors, happened[2:0]} |
+        (happened_m & ~(does && to == `RT_TOP_INTERRUPTS ? ones[4:0] : 5'd0));
+    reg  [20:0] errors_m;
+    reg  [4:0]  happened_m;
     reg  [31:0] frames_m, happened_was_q;
-    reg  [6:0]  order_m;
+    reg  [7:0]  order_m;
     reg         read_happened_q;
 
     wire       b_wait_q = \u_rules.b_wait_q ;
@@ -153,12 +159,12 @@ module f_control #(
         was_q    <= value_q;
         did_q    <= does && !rst;
         read_q   <= reads && !rst;
-        errors_m   <= rst || anew ? 16'd0 : errors_after;
-        happened_m <= rst || anew ? 4'd0 : happened_after;
+        errors_m   <= rst || anew ? 21'd0 : errors_after & {{5{BUILD != 0}}, 16'hffff};
+        happened_m <= rst || anew ? 5'd0 : happened_after & {BUILD != 0, 4'hf};
         frames_m   <= rst || anew ? 32'd0 : frames_m + good;
-        order_m    <= does && to == `RT_TOP_CONTROL && !rst ? ones[6:0] : 7'd0;
-        happened_was_q  <= from == `RT_TOP_ERRORS ? {16'd0, errors_m}
-                           : from == `RT_TOP_FRAME_COUNT ? frames_m : {28'd0, happened_m};
+        order_m    <= does && to == `RT_TOP_CONTROL && !rst ? ones[7:0] : 8'd0;
+        happened_was_q  <= from == `RT_TOP_ERRORS ? {11'd0, errors_m}
+                           : from == `RT_TOP_FRAME_COUNT ? frames_m : {27'd0, happened_m};
         read_happened_q <= from == `RT_TOP_ERRORS || from == `RT_TOP_INTERRUPTS ||
                            from == `RT_TOP_FRAME_COUNT;
         at_nowhere_q   <= {aw_addr_q, 2'd0} == nowhere;

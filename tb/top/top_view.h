@@ -1,4 +1,4 @@
-/* top_view.h - the host's view of rt_top, clock by clock: a model of all but core and pixels
+/* top_view.h - the host's view of rt_top, clock by clock: a model of all but core, pixels, builder
  * SPDX-License-Identifier: Apache-2.0
  *
  * In every edge of clk the model gets what rt_top's inputs had, and what its core did; then it says
@@ -39,7 +39,7 @@ struct Setting {
     uint32_t at, kept, reset;
 };
 inline const Setting SETTINGS[] = {
-    {SPHAERA_INTERRUPT_ENABLE, 0xf, 0},
+    {SPHAERA_INTERRUPT_ENABLE, TOP_BUILD ? 0x1f : 0xf, 0},
     {SPHAERA_WATCHDOG, 0xffffffff, 0x100000},
     {SPHAERA_SCENE_BASE, 0xfffff000, 0},
     {SPHAERA_FRAME0, 0xffffffc0, 0},
@@ -54,8 +54,14 @@ inline const Setting SETTINGS[] = {
     {SPHAERA_VIDEO_H_SYNC, 0x1fff1fff, 0x300060},
     {SPHAERA_VIDEO_V_ACTIVE, 0x1fff1fff, 0x0a01e0},
     {SPHAERA_VIDEO_V_SYNC, 0x1fff1fff, 0x210002},
-    {SPHAERA_LAYER_BYTES, 0xffffffc0, 0}, /* there by parameters, these two */
+    {SPHAERA_LAYER_BYTES, 0xffffffc0, 0}, /* there by parameters, from here on */
     {SPHAERA_ADDRESS_HIGH, 0xffffffff, 0},
+    {SPHAERA_BUILD_COUNT, SPHAERA_BUILD_COUNT_SPHERES, 0},
+    {SPHAERA_BUILD_RECORDS, SPHAERA_BUILD_RECORDS_LINE, 0},
+    {SPHAERA_BUILD_TREE0, SPHAERA_BUILD_TREE0_LINE, 0},
+    {SPHAERA_BUILD_TREE1, SPHAERA_BUILD_TREE1_LINE, 0},
+    {SPHAERA_BUILD_LINES, SPHAERA_BUILD_LINES_LINES, 0},
+    {SPHAERA_BUILD_MODE, SPHAERA_BUILD_MODE_ORDER | SPHAERA_BUILD_MODE_ROOT, 0},
 };
 
 /* The settings that a block with these parameters has. */
@@ -63,7 +69,8 @@ inline std::map<uint32_t, Setting> settings_of() {
     std::map<uint32_t, Setting> all;
     for (const Setting &s : SETTINGS)
         if ((s.at != SPHAERA_LAYER_BYTES || TOP_LAYERS) &&
-            (s.at != SPHAERA_ADDRESS_HIGH || ADDR > 32))
+            (s.at != SPHAERA_ADDRESS_HIGH || ADDR > 32) &&
+            (s.at < SPHAERA_BUILD_COUNT || TOP_BUILD))
             all[s.at] = s;
     return all;
 }
@@ -113,7 +120,7 @@ class View {
     }
     /* Behind an edge: compares what stood before it, and goes on. */
     void edge() {
-        if (!seen.any || !broken.empty()) return;
+        if (!seen.any || !broken.empty() || TOP_BUILD) return; /* no model of rt_builder */
         seen.any = false;
         if (p_.rst && !known_) {
             known_ = true;
