@@ -33,13 +33,13 @@ static void settings(Checks &c) {
         const size_t at = (size_t)t.random.below((uint32_t)count);
         const uint32_t value = (uint32_t)t.random.next();
         const unsigned strobe = (unsigned)t.random.below(16);
-        t.write(all[none + at].at, value, strobe);
+        t.write(all[at].at, value, strobe);
         for (int b = 0; b < 4; b++)
             if (strobe >> b & 1) copy[at] = (copy[at] & ~(255u << 8 * b)) | (value & 255u << 8 * b);
-        copy[at] &= all[none + at].kept;
-        c.equals("setting", t.read(all[none + at].at), copy[at]);
+        copy[at] &= all[at].kept;
+        c.equals("setting", t.read(all[at].at), copy[at]);
         const size_t other = (size_t)t.random.below((uint32_t)count);
-        c.equals("another setting", t.read(all[none + other].at), copy[other]);
+        c.equals("another setting", t.read(all[other].at), copy[other]);
     }
     t.reset();
     for (size_t i = 0; i < count; i++)
@@ -56,7 +56,7 @@ static void fixed(Checks &c, const Golden &a) {
         {SPHAERA_VERSION, SPHAERA_VERSION_RESET},
         {SPHAERA_CORE_PROFILE, (uint32_t)a.machine.regs[SPH_REG_PROFILE]},
         {SPHAERA_CORE_EFFECTS, t.driver.effects},
-        {SPHAERA_CORE_PARTS, t.driver.parts},
+        {SPHAERA_CORE_PARTS, View::built(SPHAERA_CORE_PARTS)},
         {SPHAERA_CORE_BUS, DATA | SPHAERA_CORE_BUS_VIDEO |
                                (c.layers ? SPHAERA_CORE_BUS_LAYERS : 0) |
                                (uint32_t)ADDR << SPHAERA_CORE_BUS_ADDR_LSB |
