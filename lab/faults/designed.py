@@ -86,6 +86,8 @@ class Core(Whole, benches.Core):
 
 
 class Top(Whole, benches.Shell):
+    seen = ("+define+TOP_VIEW", "-Iformal", "tb/top/rt_top_rules.sv")
+
     @staticmethod
     def source():
         return "tb/top/tb_shell.cpp"
