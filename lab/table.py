@@ -169,6 +169,8 @@ GROUPS = {
     ),
     "faults and proofs": (
         ("faults", "faults.__main__", "...", "plants those of tests/faults, tells who notices"),
+        ("designed", "faults.designed", "--others --tell BUILD [PATTERN]",
+         "faults as a designer makes them: tests/faults/designed"),
         ("mutants", "faults.drawn.__main__", "COMMAND BUILD [WORD...]", "faults by Yosys, as jobs"),
         ("mutants-left", "faults.drawn.survivors", "BUILD [BENCH...]", "what is left, tried again"),
         ("mutants-c", "faults.drawn.model", "BUILD COUNT SEED MINUTES [WORD...]",

@@ -34,8 +34,8 @@ from dataclasses import dataclass, field
 from .. import benches
 
 LISTS = "tests/faults/*.txt"
-FOLDERS = {"model": "cmodel", "rtl": "rtl", "formal": "formal"}
-KEYS = ("fault", "rule", *FOLDERS, "from", "to", "by", "more", "agree")
+FOLDERS = {"model": "cmodel", "rtl": "rtl", "formal": "formal", "driver": "driver", "lab": "lab"}
+KEYS = ("fault", "rule", *FOLDERS, "from", "to", "by", "more", "agree", "same")
 # judge: the groups that `--by` takes, sides that it is planted in
 JUDGES = {"core": ("core", "rtl"), "textured": ("core", "rtl"), "piped": ("core", "rtl"),
           "bench": ("bench", "rtl"), "case": ("case", "rtl"), "top": ("top", "rtl"),
@@ -79,6 +79,7 @@ class Record:
     file: str
     line: int
     rule: str = ""
+    same: str = ""
     edits: list = field(default_factory=list)
     judges: list = field(default_factory=list)
 
@@ -158,8 +159,8 @@ def nearest(word, known):
 class Reader:
     """Reads lists; `wrong` has what is not as it has to be."""
 
-    def __init__(self):
-        self.records, self.wrong = [], []
+    def __init__(self, judged=True):
+        self.records, self.wrong, self.judged = [], [], judged
         self.known = {
             "bench": [bench.name for bench in benches.every("build")],
             "proof": proofs(),
@@ -201,7 +202,9 @@ class Reader:
             if record.rule:
                 self.say(record.file, number, "rule: has the record already")
             record.rule = value
-        elif key in ("by", "more", "agree"):
+        elif key == "same" and not self.judged:
+            record.same = value
+        elif key in ("by", "more", "agree") and self.judged:
             self.judge(record, key, value, number)
         else:
             self.say(record.file, number, f"{key}: is no field{nearest(key, KEYS)}")
@@ -266,7 +269,7 @@ class Reader:
         if record.name in names:
             say(record.line, f"fault: {record.name} stands in {names[record.name]}, too")
         names[record.name] = f"{record.file}:{record.line}"
-        for what in ("rule", "edits", "judges"):
+        for what in ("rule", "edits", "judges")[:3 if self.judged else 2]:
             if not getattr(record, what):
                 say(record.line, f"fault: {record.name} has no " + {
                     "edits": "model, rtl or formal", "judges": "by"}.get(what, what))
@@ -304,9 +307,10 @@ class Reader:
                      f"{edit.side}: is edited as in {other}: one record has both judges")
 
 
-def read(names=()):
-    """All records, or those of some files; raises Refused with what is wrong in them."""
-    reader, known, texts = Reader(), {}, {}
+def read(names=(), judged=True):
+    """All records, or those of some files; raises Refused with what is wrong in them. Without
+    `judged` they name nobody who must notice them."""
+    reader, known, texts = Reader(judged), {}, {}
     for name in sorted(names or glob.glob(LISTS)):
         reader.read(name)
     for record in reader.records:
