@@ -39,6 +39,8 @@ EXPERIMENTS = [Experiment(*row) for row in (
      ["effects.left_out TOOL BUILD docs/results/effects.md"]),
     ("moving", "build, refit, upload and draw, frame by frame: docs/results/trees.md",
      ["moving:measure TOOL BUILD/moving", "moving:page docs/results/trees.md BUILD/moving"]),
+    ("swarm", "4096 moving spheres, trees by rt_top and by the host: docs/results/trees.md",
+     ["swarm BUILD docs/results/trees.md"]),
     ("papers", "the three papers claim by claim: docs/results/papers.md; five minutes",
      ["papers.measure TOOL BUILD/papers", "papers.why TOOL BUILD/papers",
       "papers.pictures BUILD/papers docs/pictures/papers",
