@@ -196,6 +196,7 @@ GROUPS = {
         ("ip", "ip.folder", "BUILD FOLDER PROFILE EFFECTS [NAME=VALUE...]",
          "a folder of rt_top for another project: make ip"),
         ("ip-page", "ip.page", "BUILD", "port tables of core.md and rt_top.md: make ip-page"),
+        ("top-plan", "top.plan", "", "sentences of two pages, and who judges each"),
         ("rdl", "top.rdl", "FILE", "registers of rt_top, with systemrdl-compiler"),
         ("cocotb", "top.cocotb_run", "FOLDER MACHINE FRAME DATA NAME=VALUE...", "rt_top in cocotb"),
         ("show-files", "top.golden:show_files", "FOLDER MACHINE FRAME",
