@@ -195,6 +195,7 @@ GROUPS = {
         ("slang", "lint_slang", "FOLDERS FILE...", "Verilog as SystemVerilog, with pyslang"),
         ("ip", "ip.folder", "BUILD FOLDER PROFILE EFFECTS [NAME=VALUE...]",
          "a folder of rt_top for another project: make ip"),
+        ("crossings", "ip.crossings", "[TOP...] --rtl=FOLDER", "paths between clocks of netlists"),
         ("ip-page", "ip.page", "BUILD", "port tables of core.md and rt_top.md: make ip-page"),
         ("top-plan", "top.plan", "", "sentences of two pages, and who judges each"),
         ("rdl", "top.rdl", "FILE", "registers of rt_top, with systemrdl-compiler"),

@@ -368,6 +368,13 @@ class Planting:
             return "noticed", how(text)
         return ("broken", f"ends with {rc}") if rc else ("passed", "")
 
+    def by_crossings(self, judge):
+        rc, text = self.shop.run(["python3", "-m", "lab", "crossings", *judge.words, "--rtl",
+                                  f"{self.tree(judge, 'rtl')}/rtl"], self.say)
+        if rc == 1 and re.search("^not ok", text, re.M):
+            return "noticed", how(text)
+        return ("broken", f"ends with {rc}") if rc else ("passed", "")
+
 
 def told_core(rc, text):
     """What the harness of the core says."""
