@@ -118,7 +118,7 @@ GROUPS = {
     "what a run left": (
         ("report", "report.main", "--csv=FILE FOLDER", "report.html of make sim"),
         ("film-report", "report.film", "FOLDER [COMMAND]", "the same of frames on rt_top"),
-        ("image-times", "top.frames", "FOLDER", "time to image of those frames"),
+        ("image-times", "top.frames", "FOLDER [MHZ]", "time to image of those frames"),
         ("gallery", "report.gallery", "FOLDER PAGE", "all scenes on a page"),
         ("browse", "report.browser", "--there [PAGE] [PICTURE] [WIDTH] [HEIGHT] [COLOURS]",
          "a page as Chromium shows it"),

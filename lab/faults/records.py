@@ -17,7 +17,8 @@ There may be several files in a record, each with its from and to, and several j
                                    `sphaera build`, of the harness; textured: a core of just what
                                    the scene asks for; piped: with three pipes
     bench PATTERN [case N]         lines of tb/benches.txt; of a named hard case the vectors alone
-    top [WIDTH [LAYERS]]           rt_top around the sound model, under its driver
+    top [WIDTH [LAYERS [TREES]]]   rt_top around the sound model, under its driver; TREES: spheres
+                                   that it builds trees of
     hard N                         the model, in a named case of build/test/hard
     test NAME                      the model, in a test of tests/
     naive                          the naive model draws the scene of `agree` otherwise
@@ -231,7 +232,7 @@ class Reader:
     def unfit(self, judge):
         """Why a judge cannot be; empty: it can."""
         kind, words = judge.kind, judge.words
-        counts = {"top": (0, 2), "naive": (0, 0), "bench": (1, 1), "case": (3, 3)}
+        counts = {"top": (0, 3), "naive": (0, 0), "bench": (1, 1), "case": (3, 3)}
         least, most = counts.get(kind, (1, 1 if JUDGES[kind][0] not in ("core", "agree") else 99))
         if not least <= len(words) <= most:
             return f"{judge}: {len(words)} words behind it, not {least}" + (
@@ -249,8 +250,8 @@ class Reader:
             return "" if self.number(words[0], self.known["cases"]) else (
                 f"{words[0]} is no named case, 1 to {self.known['cases']}")
         if kind == "top":
-            return "" if words in ((), ("64",), ("128",), ("64", "1"), ("128", "1")) else (
-                f"{judge}: WIDTH is 64 or 128, LAYERS is 1")
+            fits = re.fullmatch("((64|128)( 1| [01] (16|64))?)?", " ".join(words))
+            return "" if fits else f"{judge}: WIDTH is 64 or 128, LAYERS is 1, TREES 16 or 64"
         if kind in self.known and words[0] not in self.known[kind]:
             return f"there is no {kind} {words[0]}" + nearest(words[0], self.known[kind])
         return ""
