@@ -76,7 +76,7 @@ class Whole(Selecting):
         return super().make(None)
 
     def compiled(self, verilog, harness, macros, objects, libraries, more=()):
-        return self.compile(self.folder, [*more, *self.verilate(self.here)], harness, macros,
+        return self.compile(self.folder, [*self.verilate(self.here), *more], harness, macros,
                             objects, libraries, begin=benches.NUMBER)
 
 
