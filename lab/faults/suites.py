@@ -25,6 +25,7 @@ static int rt_fault_number(void) {
 NEAR = {"engine": "core/test_model* core/test_layers* core/test_frame*",
         "validate": "machine/test_machine* core/test_malformed* core/test_limits*",
         "driver": "machine/test_driver* top/test_top.sh", "scene": "scene/*.c",
+        "pixel": "pixel/*.c", "prim": "prim/*.c",     # their scripts simulate cores
         "tool": "tool/test_[eimnortw]*"}
 # and of a file of lab
 LAB = {"synth": "test_budget", "clocks.py": "test_clocks", "jobs": "test_jobs",
