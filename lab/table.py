@@ -171,7 +171,7 @@ GROUPS = {
     ),
     "faults and proofs": (
         ("faults", "faults.__main__", "...", "plants those of tests/faults, tells who notices"),
-        ("designed", "faults.designed", "--others --tell BUILD [PATTERN]",
+        ("designed", "faults.designed", "--others --told BUILD [PATTERN]",
          "faults as a designer makes them: tests/faults/designed"),
         ("mutants", "faults.drawn.__main__", "COMMAND BUILD [WORD...]", "faults by Yosys, as jobs"),
         ("mutants-left", "faults.drawn.survivors", "BUILD [BENCH...]", "what is left, tried again"),
