@@ -143,6 +143,10 @@ void meet(Checks &c, Kind kind, uint32_t order, unsigned after) {
     t.read(SPHAERA_STATUS);
     t.read(SPHAERA_INTERRUPTS);
     t.read(SPHAERA_ERRORS);
+    if (t.random.percent(10)) { /* they are compared as they are read */
+        uint64_t counters[SPHAERA_COUNTS];
+        sphaera_counters(&t.driver, counters);
+    }
     calm(c);
     if (kind == READ_SILENT || kind == WRITE_SILENT || t.random.percent(3))
         t.write(SPHAERA_CONTROL, SPHAERA_CONTROL_SOFT_RESET);
@@ -207,6 +211,8 @@ void takes(Checks &c, const Golden &a) {
             t.read(SPHAERA_INTERRUPTS);
             calm(c);
         }
+    uint64_t counters[SPHAERA_COUNTS];
+    sphaera_counters(&t.driver, counters);
     right_again(c, a);
     c.done("take_i in every clock of every write");
 }

@@ -396,8 +396,8 @@ class View {
         if (snap) run_ = true;
         event_.writes = aw_new; /* it is seen a clock later than what counts it */
         count(event_);
-        event_ = {seen.asks, p_.scene_beat, 0,     p_.w_beat, begin,
-                  anew,      swap,          again, lost,      seen.underrun};
+        event_ = {seen.asks && !forget, p_.scene_beat, 0, p_.w_beat, begin, anew, swap, again, lost,
+                  seen.underrun};
 
         // ---- the frame store ----
         if (accept)
