@@ -228,7 +228,7 @@
 #define SPHAERA_ADDRESS_HIGH_FRAME2 0x00ff0000u /* of FRAME2 */
 #define SPHAERA_ADDRESS_HIGH_SCENE_LSB 24u
 #define SPHAERA_ADDRESS_HIGH_SCENE 0xff000000u /* of SCENE_BASE */
-#define SPHAERA_BUILD_COUNT 0x080u /* rw: spheres of the next BUILD; all BUILD_*: lines of SCENE_BASE */
+#define SPHAERA_BUILD_COUNT 0x080u /* rw: spheres of the next BUILD; lines are of SCENE_BASE */
 #define SPHAERA_BUILD_COUNT_RESET 0x00000000u
 #define SPHAERA_BUILD_COUNT_SPHERES_LSB 0u
 #define SPHAERA_BUILD_COUNT_SPHERES 0x00ffffffu /* their number */

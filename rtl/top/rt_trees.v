@@ -67,7 +67,8 @@ module rt_trees (
     // ---- START ----
     wire        stop   = anew || order_i[`RT_TOP_CONTROL_STOP];
     wire        fire   = held_o && state_q == IDLE && !frame_i && !stop;
-    assign start_o     = (order_i[`RT_TOP_CONTROL_START] && !order_i[`RT_TOP_CONTROL_BUILD]) || fire;
+    wire        alone  = !order_i[`RT_TOP_CONTROL_BUILD];
+    assign start_o     = (order_i[`RT_TOP_CONTROL_START] && alone) || fire;
 
     always @(posedge clk) begin
         silent_q <= stall_i ? silent_q + {31'd0, !(&silent_q)} : 32'd0;
