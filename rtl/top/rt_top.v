@@ -177,7 +177,7 @@ module rt_top #(
     wire [31:0] write_data, machine_data, count_data;
     wire        machine_busy, count_busy, control_busy;
     wire [15:0] errors;
-    wire [4:0]  build_errors;
+    wire [5:0]  build_errors;
     wire [63:0] build_words;
     wire        build_done;
     wire        done, swap, frame_end, good;
@@ -407,7 +407,7 @@ module rt_top #(
             assign core_data = reads && cfg_addr == `RT_REG_ROOT
                                ? {{(32-`RT_LINE_BITS){1'b0}}, root} : cfg_data;
         end else begin : g_no_build
-            assign build_errors = 5'd0;
+            assign build_errors = 6'd0;
             assign build_words  = 64'd0;
             assign {build_done, held, cutting, build_busy} = 4'd0;
             assign {status[`RT_TOP_STATUS_BUILDING], status[`RT_TOP_STATUS_TREE_VALID],

@@ -139,7 +139,7 @@ class Moving {
             sphaera_set(&c_.top.driver, i, set_values_[i] = value);
         }
         set_ = true;
-        const struct sphaera_trees trees = {n_, records_[at], {0, lines_}, prims_};
+        const struct sphaera_trees trees = {n_, records_[at], {0, lines_}, prims_, 0};
         c_.equals("trees", (uint64_t)sphaera_trees(&c_.top.driver, &trees), SPHAERA_OK);
     }
     Checks &c_;
