@@ -65,6 +65,7 @@ module rt_control #(
     localparam [OTHERS-1:0] OTHERS_THERE = ~(BUILD != 0 ? {OTHERS{1'b0}}
                                                         : `RT_TOP_OTHERS_OF_BUILD);
     localparam [21:0] ERRORS_THERE = {{6{BUILD != 0}}, 16'hffff};
+    localparam [7:0] ORDERS_THERE = {BUILD != 0, 7'h7f};
     localparam [4:0] HAPPENED_THERE = {BUILD != 0, 4'hf};
     localparam [32*ALL-1:0] RESET = `RT_TOP_SETTINGS_RESET;
     localparam [32*ALL-1:0] KEPT = `RT_TOP_SETTINGS_KEPT &
@@ -126,7 +127,7 @@ module rt_control #(
     assign write_addr_o    = aw_q[8:2];
     assign write_data_o    = w_q;
     always @(posedge clk)              // from a register, as the answer: it reaches far
-        order_o <= write && aw_control_q && !rst ? ones[7:0] : 8'd0;
+        order_o <= write && aw_control_q && !rst ? ones[7:0] & ORDERS_THERE : 8'd0;
 
     // ---- a read: what others have comes through a register, a clock before the answer ----
     reg         ar_full_q, ar_seen_q, ar_free_q;   // free: elsewhere_q was read while it may be
