@@ -171,7 +171,7 @@ GROUPS = {
     ),
     "faults and proofs": (
         ("faults", "faults.__main__", "...", "plants those of tests/faults, tells who notices"),
-        ("designed", "faults.designed", "--others --tell BUILD [PATTERN]",
+        ("designed", "faults.designed", "--others --told BUILD [PATTERN]",
          "faults as a designer makes them: tests/faults/designed"),
         ("mutants", "faults.drawn.__main__", "COMMAND BUILD [WORD...]", "faults by Yosys, as jobs"),
         ("mutants-left", "faults.drawn.survivors", "BUILD [BENCH...]", "what is left, tried again"),
@@ -195,7 +195,9 @@ GROUPS = {
         ("slang", "lint_slang", "FOLDERS FILE...", "Verilog as SystemVerilog, with pyslang"),
         ("ip", "ip.folder", "BUILD FOLDER PROFILE EFFECTS [NAME=VALUE...]",
          "a folder of rt_top for another project: make ip"),
+        ("crossings", "ip.crossings", "[TOP...] --rtl=FOLDER", "paths between clocks of netlists"),
         ("ip-page", "ip.page", "BUILD", "port tables of core.md and rt_top.md: make ip-page"),
+        ("top-plan", "top.plan", "", "sentences of two pages, and who judges each"),
         ("rdl", "top.rdl", "FILE", "registers of rt_top, with systemrdl-compiler"),
         ("cocotb", "top.cocotb_run", "FOLDER MACHINE FRAME DATA NAME=VALUE...", "rt_top in cocotb"),
         ("show-files", "top.golden:show_files", "FOLDER MACHINE FRAME",
