@@ -62,7 +62,7 @@ $B/clang/obj/%.o: %.cpp $B/flags
 	@mkdir -p $(@D)
 	$(call compile_whole,$(CCACHE) clang++ -std=c++17 -Icmodel $(CLANG_SANITIZE) \
 	    $(call pkg,--cflags OpenImageIO | sed 's/-I/-isystem /g'))
-$(foreach h,asan clang fuzz/afl,$B/$h/obj/cmodel/sphaera/version.o): VERSION
+$(foreach h,asan tsan clang fuzz/afl,$B/$h/obj/cmodel/sphaera/version.o): VERSION
 
 # how
 define fuzz_how
