@@ -87,6 +87,12 @@ class Core(Whole, benches.Core):
 
 
 class Top(Whole, benches.Shell):
+    def __init__(self, build, layers=0):
+        super().__init__(build)
+        self.parameters.append(f"LAYERS={layers}".split("="))
+        self.name += "-layers" * layers
+        self.folder += "-layers" * layers
+
     @staticmethod
     def source():
         return "tb/top/tb_shell.cpp"
@@ -194,7 +200,9 @@ def at_bench(kept, line, faults):
 def whole(name, build):
     """What stands for the bench of a module that none above has one: its core, or rt_top."""
     folder = glob.glob(f"rtl/*/{name}.v")[0].split("/")[1]
-    return Top(build) if folder in ("top", "bus", "video") else Core(benches.CORES[0], build)
+    if folder in ("top", "bus", "video"):
+        return [Top(build), Top(build, 1)]
+    return [Core(benches.CORES[0], build)]
 
 
 def rtl(kept, found, build, others):
@@ -216,8 +224,8 @@ def rtl(kept, found, build, others):
     last = {}
     for names, faults in homes.items():
         for record in faults if others or not names else ():
-            at = whole(module(record), build)
-            last.setdefault(at.name, (at, []))[1].append(record)
+            for at in whole(module(record), build)[:MOST]:
+                last.setdefault(at.name, (at, []))[1].append(record)
     for at, faults in last.values():
         at_bench(kept, at, faults)
 
