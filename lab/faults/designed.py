@@ -68,7 +68,8 @@ class Whole(Selecting):
 
     def __init__(self, *words):
         super().__init__(*words)
-        self.folder = f"{self.build}/designed/{self.name.replace('/', '-')}"
+        was, self.folder = self.folder, f"{self.build}/designed/{self.name.replace('/', '-')}"
+        self.runs = [[word.replace(was, self.folder) for word in run] for run in self.runs]
 
     def make(self, texts):
         self.here = self.edited(texts)

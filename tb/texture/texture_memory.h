@@ -70,6 +70,9 @@ class Memory {
         if (!large && r.percent(10)) /* levels that begin anywhere; none, too many */
             for (int i = 0; i < SPH_LINE_WORDS; i++)
                 header[i] = (uint32_t)r.next();
+        if (!large && r.percent(5)) /* and one too many */
+            sph_field_set(header, SPH_IMAGE_LEVELS_LSB, SPH_IMAGE_LEVELS_BITS,
+                          SPH_TEXTURE_LEVELS + 1);
     }
     void put_map(bench::Random &r, uint32_t *map, uint32_t image) {
         int base = (int)r.between(-2, W + 4) * 256 + (int)r.below(256);
