@@ -25,7 +25,7 @@ from .. import intact
 from ..benches import Broken, folders, text_of
 from ..pages import place
 from . import records, selected, suites
-from .drawn import benches, binary, plan
+from .drawn import benches, binary, boards, plan
 
 LISTS = "tests/faults/designed/*.txt"
 PATIENCE, SLACK, LONGEST = 2.0, 3.0, 60     # a fault may take so many times the sound one, and more
@@ -69,12 +69,17 @@ class Whole(Selecting):
     def __init__(self, *words):
         super().__init__(*words)
         was, self.folder = self.folder, f"{self.build}/designed/{self.name.replace('/', '-')}"
-        self.runs = [[word.replace(was, self.folder) for word in run] for run in self.runs]
+        for words in (*self.runs, *self.parameters):
+            words[:] = [str(word).replace(was, self.folder) for word in words]
 
     def make(self, texts):
         self.here = self.edited(texts)
         os.makedirs(self.folder, exist_ok=True)
+        self.prepare()
         return super().make(None)
+
+    def prepare(self):
+        """What must be there before the RTL is read."""
 
     def compiled(self, verilog, harness, macros, objects, libraries, more=()):
         return self.compile(self.folder, [*self.verilate(self.here), *more], harness, macros,
@@ -97,6 +102,15 @@ class Top(Whole, benches.Shell):
     @staticmethod
     def source():
         return "tb/top/tb_shell.cpp"
+
+
+class Board(Whole, boards.RamBoard):
+    def prepare(self):
+        boards.RamBoard.prepare(self)
+
+    @staticmethod
+    def source():
+        return "tb/board/tb_ulx3s_ram.cpp"
 
 
 def digest(source):
@@ -199,10 +213,12 @@ def at_bench(kept, line, faults):
 
 
 def whole(name, build):
-    """What stands for the bench of a module that none above has one: its core, or rt_top."""
+    """What stands for the bench of a module that none above has one: core, rt_top, a board."""
     folder = glob.glob(f"rtl/*/{name}.v")[0].split("/")[1]
     if folder in ("top", "bus", "video"):
         return [Top(build), Top(build, 1)]
+    if folder == "board":
+        return [Board(build)]
     return [Core(benches.CORES[0], build)]
 
 

@@ -35,6 +35,9 @@ class Memory {
         for (uint32_t i = 0; i < IMAGES; i++) {
             images[i] = i % 4 == 3 ? 1u << 19 | (uint32_t)r.below(1 << 18) : line;
             put_image(r, images[i], i < LARGE);
+            if (i == LARGE) /* one level too many */
+                sph_field_set(&words[images[i] * SPH_LINE_WORDS], SPH_IMAGE_LEVELS_LSB,
+                              SPH_IMAGE_LEVELS_BITS, SPH_TEXTURE_LEVELS + 1);
             line += 1 + (uint32_t)r.below(400);
         }
         for (uint32_t i = 0; i < MAPS; i++)
@@ -70,9 +73,6 @@ class Memory {
         if (!large && r.percent(10)) /* levels that begin anywhere; none, too many */
             for (int i = 0; i < SPH_LINE_WORDS; i++)
                 header[i] = (uint32_t)r.next();
-        if (!large && r.percent(5)) /* and one too many */
-            sph_field_set(header, SPH_IMAGE_LEVELS_LSB, SPH_IMAGE_LEVELS_BITS,
-                          SPH_TEXTURE_LEVELS + 1);
     }
     void put_map(bench::Random &r, uint32_t *map, uint32_t image) {
         int base = (int)r.between(-2, W + 4) * 256 + (int)r.below(256);
