@@ -221,8 +221,8 @@ int sph_emit_memory(const struct sph_scene *scene, const struct sph_plants *plan
                     struct sph_error *err) {
     const struct sph_facets *facets = plants->facets;
     struct content c = {scene, tree, plants, NULL};
-    uint64_t base = tree_lines(tree, facets->n > 0);
-    int hardware = plants->kind == SPH_TREE_HW;
+    int hardware = plants->kind == SPH_TREE_HW; /* which asks for room for any tree */
+    uint64_t base = hardware ? sph_bt_lines(scene->n_spheres) : tree_lines(tree, facets->n > 0);
     if (sph_emit_alloc(machine, base + scene->n_spheres + 2ull * facets->n, err) ||
         (!hardware && put_tree(machine, &c, err)))
         return -1;
