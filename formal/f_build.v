@@ -1,7 +1,7 @@
 // f_build.v - proof of rt_build: what is read, what is written and when, errors
 // SPDX-License-Identifier: Apache-2.0
 // Its parts say anything, but for these: a node lies within the lines that it may take, as
-// f_build_groups.v proves of rt_build_groups, and its children come in their order, of a build only.
+// s_build_groups.v proves of rt_build_groups, and its children come in their order, of a build only.
 // Records, memory and resets are any.
 `timescale 1ns / 1ps
 `default_nettype none
