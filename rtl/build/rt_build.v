@@ -335,8 +335,8 @@ module rt_build #(
             READ: if (came_q == count && !line_q) begin
                 extents_q     <= extent[0] | extent[1] | extent[2];
                 state_q       <= |error_o ? END : count == 0 || refit ? NODES : SCALE;
-                put_node_q    <= count == 0;
-                nodes_start_q <= count != 0 && refit && !(|error_o);
+                put_node_q    <= !(|error_o) && count == 0;
+                nodes_start_q <= !(|error_o) && count != 0 && refit;
                 if (!refit && !(|error_o)) begin
                     kept_q       <= count == 0;
                     kept_count_q <= count;

@@ -10,7 +10,9 @@
 `default_nettype none
 `include "rt_layout.vh"
 module rt_build_sort #(
-    parameter AB = 12                        // bits of the number of a sphere
+    parameter AB  = 12,                      // bits of the number of a sphere
+    parameter KEY = 3*`RT_BUILD_AXIS,        // bits of a key, a multiple of DB
+    parameter DB  = `RT_BUILD_DIGIT          // bits of a digit
 ) (
     input  wire          clk,
     input  wire          rst,                // synchronous, active high
@@ -18,7 +20,7 @@ module rt_build_sort #(
     input  wire          clear_i,            // forget all; ready_o says when keys may come
     output wire          ready_o,            // counts are 0
     input  wire          key_valid_i,        // keys of 0, 1, 2, ..
-    input  wire [3*`RT_BUILD_AXIS-1:0] key_i,
+    input  wire [KEY-1:0] key_i,
     input  wire          sort_i,             // they were the last
     input  wire [AB:0]   count_i,            // spheres
     output reg           done_o,             // bank 0 holds the order
@@ -31,8 +33,6 @@ module rt_build_sort #(
     input  wire [AB-1:0] b_place_i,
     output wire [AB-1:0] b_id_o
 );
-    localparam KEY    = 3*`RT_BUILD_AXIS;
-    localparam DB     = `RT_BUILD_DIGIT;
     localparam DIGITS = KEY / DB;
     localparam PB     = $clog2(DIGITS + 1);
     localparam [PB-1:0] LAST = DIGITS[PB-1:0] - 1'b1;
