@@ -1,13 +1,13 @@
 /* build_tree.h - the tree that hardware builds                    RTL: rtl/build/rt_build.v
  * SPDX-License-Identifier: Apache-2.0
  *
- * Spheres are sorted along a curve, neighbours of that order are joined to a binary tree, and of
- * this, from the root down, nodes of four are made. All of it is integers, and bit for bit what
- * rt_build does: docs/design/build_tree.md.
+ * Spheres are sorted along a curve, those that are near each other on it are joined to a binary
+ * tree, and of this, from the root down, nodes of four are made. All of it is integers, and bit for
+ * bit what rt_build does: docs/design/build_tree.md.
  *
  *     order.c   Morton keys of the centres, sorted
- *     chain.c   the binary tree: the two clusters are joined that each have the other as the nearer
- *               neighbour
+ *     join.c    the binary tree: two clusters are joined that have each other as the nearest; the
+ *               order is that of its leaves from then on
  *     nodes.c   nodes of four, and spheres around their children
  *     words.c   records in memory words to nodes and leaf records in memory words
  */
@@ -27,11 +27,11 @@ struct sph_bt_leaf {
     int32_t rad;    /* uW, above 0 */
 };
 
-/* Two neighbours that were joined. Number b is where they touch: the left one ends with place b of
- * the order, the right one begins with place b + 1. */
+/* Two clusters that were joined. Its number is the index of the last sphere of the left one. */
 struct sph_bt_pair {
     uint32_t left, right; /* numbers of the two; of a cluster of one sphere any */
-    uint32_t size;        /* of the box around both: the sum of its three edges, grid units */
+    uint32_t cut;         /* place of the tree's order that the left one ends with */
+    uint32_t size; /* the longest edge of the box around both, in units of 2^(W + 2 - SIDE) */
 };
 
 struct sph_bt_node {
@@ -47,10 +47,10 @@ struct sph_bt_node {
  * order[place] is an index. spare: as many words. */
 void sph_bt_order(const struct sph_bt_leaf *leaves, uint32_t n, uint32_t *order, uint64_t *spare);
 
-/* The binary tree over that order: pairs[0 .. n-2]; returns the number of its root, 0 if there is
- * none. */
-uint32_t sph_bt_chain(const struct sph_bt_leaf *leaves, const uint32_t *order, uint32_t n,
-                      struct sph_bt_pair *pairs);
+/* The binary tree: n - 1 of pairs[0 .. n-1] by their number, *root that of its root (if there is
+ * none, any), and in place of the curve's order that of its leaves. -1 if memory is out. */
+int sph_bt_join(const struct sph_bt_leaf *leaves, uint32_t n, const struct sph_profile *profile,
+                uint32_t *order, struct sph_bt_pair *pairs, uint32_t *root);
 
 /* Nodes of four in the order in which they are written, the root first; nodes: room for n, or for
  * one. Returns how many. */

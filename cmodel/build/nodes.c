@@ -5,9 +5,11 @@
  * the one of the largest box is replaced by its own two halves. Inner children come first, each
  * kind in the order in which they were found; nodes are made depth first, the first child first.
  *
- * A child holds a run of places of the order, first to last. The sphere around it has the middle of
- * the box around its leaves as centre, rounded to filter units, and the smallest radius with which
- * it holds every leaf: it is made of the leaves alone, so no error adds up along the levels.
+ * A child holds a run of places of the order, first to last. The sphere around it has a centre that
+ * is rounded to filter units, and the smallest radius with which it holds every leaf: it is made of
+ * the leaves alone, so no error adds up along the levels. The centre is the mean of two: the middle
+ * of the box around the leaves, and the point in the middle, as nearly as can be, of their extents
+ * along the four diagonals of a cube.
  *
  * A node on level l of which more than 4^(STACK_DEPTH - l) spheres are below, so that a bad tree
  * would be too deep for the stack, is cut in halves of its run instead, and so is all below it.
@@ -51,9 +53,10 @@ static uint32_t size(const struct work *w, const struct run *run) {
 static void halves(const struct work *w, const struct run *run, struct run *left,
                    struct run *right) {
     struct run whole = *run;
-    uint32_t at = whole.even ? whole.first + (whole.last - whole.first) / 2 : whole.number;
-    *left = (struct run){whole.first, at, w->pairs[at].left, whole.even};
-    *right = (struct run){at + 1, whole.last, w->pairs[at].right, whole.even};
+    uint32_t at =
+        whole.even ? whole.first + (whole.last - whole.first) / 2 : w->pairs[whole.number].cut;
+    *left = (struct run){whole.first, at, w->pairs[whole.number].left, whole.even};
+    *right = (struct run){at + 1, whole.last, w->pairs[whole.number].right, whole.even};
 }
 
 /* The runs of a node's children; returns how many. */
@@ -71,30 +74,50 @@ static int open_run(const struct work *w, struct run run, struct run child[SPH_B
     return n;
 }
 
+/* Sums of the ends of a run's extent along x, y, z and four diagonals, which are not normalised: a
+ * radius is sqrt(3) times as long there, or 7/4. */
+enum { ACROSS = 7 };
+static const int across[ACROSS][3] = {{1, 0, 0},  {0, 1, 0},  {0, 0, 1}, {1, 1, 1},
+                                      {1, 1, -1}, {1, -1, 1}, {-1, 1, 1}};
+
+static int64_t ends(const struct work *w, const struct run *run, int way) {
+    const int *to = across[way];
+    int64_t lo = INT64_MAX, hi = INT64_MIN;
+    for (uint32_t at = run->first; at <= run->last; at++) {
+        const struct sph_bt_leaf *leaf = &w->leaves[w->order[at]];
+        int64_t rad = leaf->rad, d = 0;
+        for (int i = 0; i < 3; i++)
+            d += to[i] * (int64_t)leaf->ctr[i];
+        if (way >= 3) rad += (rad >> 1) + (rad >> 2);
+        if (d - rad < lo) lo = d - rad;
+        if (d + rad > hi) hi = d + rad;
+    }
+    return lo + hi;
+}
+
 /* The sphere around a run: see above. One that is larger than that around the grid becomes it. */
 static void enclose(const struct work *w, const struct run *run, int32_t ctr[3], int32_t *rad) {
     const struct sph_profile *p = w->profile;
     int k = p->w - p->fw, unused;
-    int64_t half = 1ll << (p->fw - 1), most = 0;
+    int64_t half = 1ll << (p->fw - 1), most = 0, sum[ACROSS];
+    for (int way = 0; way < ACROSS; way++)
+        sum[way] = ends(w, run, way);
     for (int i = 0; i < 3; i++) {
-        int64_t lo = INT64_MAX, hi = INT64_MIN;
-        for (uint32_t at = run->first; at <= run->last; at++) {
-            const struct sph_bt_leaf *leaf = &w->leaves[w->order[at]];
-            if (leaf->ctr[i] - leaf->rad < lo) lo = leaf->ctr[i] - leaf->rad;
-            if (leaf->ctr[i] + leaf->rad > hi) hi = leaf->ctr[i] + leaf->rad;
-        }
-        int64_t f = sph_round((lo + hi) >> 1, k);
+        int64_t sixteen = 4 * sum[i]; /* times the centre */
+        for (int way = 3; way < ACROSS; way++)
+            sixteen += across[way][i] * sum[way];
+        int64_t f = sph_round(sixteen, k + 4);
         ctr[i] = (int32_t)(f > half - 1 ? half - 1 : f < -half ? -half : f);
     }
     for (uint32_t at = run->first; at <= run->last; at++) {
         const struct sph_bt_leaf *leaf = &w->leaves[w->order[at]];
-        sph_u128 sum = 0;
+        sph_u128 square = 0;
         for (int i = 0; i < 3; i++) {
             int64_t d = ctr[i] * (1ll << k) - leaf->ctr[i];
-            sum += (uint64_t)(d * d);
+            square += (uint64_t)(d * d);
         }
         int inexact;
-        int64_t reach = (int64_t)sph_isqrt(sum, &inexact);
+        int64_t reach = (int64_t)sph_isqrt(square, &inexact);
         reach += inexact + leaf->rad;
         if (reach > most) most = reach;
     }
@@ -146,10 +169,13 @@ int sph_bt_tree(const struct sph_bt_leaf *leaves, uint32_t n, const struct sph_p
     uint64_t *spare = malloc((2ull * n + 1) * sizeof *spare);
     struct sph_bt_pair *pairs = calloc(n + 1ull, sizeof *pairs);
     *nodes = malloc((n + 1ull) * sizeof **nodes);
+    uint32_t root = 0;
     int made = order && spare && pairs && *nodes;
     if (made) {
         sph_bt_order(leaves, n, order, spare);
-        uint32_t root = sph_bt_chain(leaves, order, n, pairs);
+        made = !sph_bt_join(leaves, n, profile, order, pairs, &root);
+    }
+    if (made) {
         *n_nodes = sph_bt_nodes(leaves, order, n, pairs, root, profile, *nodes);
     } else {
         free(*nodes);

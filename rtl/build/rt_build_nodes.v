@@ -10,7 +10,7 @@
 `include "rt_layout.vh"
 module rt_build_nodes #(
     parameter AB = 12,                       // bits of the number of a sphere
-    parameter SW = 20,                       // bits of a size
+    parameter SW = 12,                       // bits of a size, at least AB
     parameter LB = AB + 2                    // bits of a line, derived: leave alone
 ) (
     input  wire          clk,
@@ -24,7 +24,7 @@ module rt_build_nodes #(
     // pairs, a clock after their number
     output wire          read_o,
     output wire [AB-1:0] number_o,
-    input  wire [2*AB+SW-1:0] pair_i,        // size, right, left
+    input  wire [3*AB+SW-1:0] pair_i,        // cut, size, right, left
     // a node, before its children; both wait together
     output wire          node_valid_o,
     input  wire          node_ready_i,
@@ -47,6 +47,7 @@ module rt_build_nodes #(
     reg  [AB-1:0] first_q [0:3];
     reg  [AB-1:0] last_q [0:3];
     reg  [AB-1:0] number_q [0:3];
+    reg  [AB-1:0] cut_q [0:3];               // the last place of its left half
     reg  [AB-1:0] left_q [0:3];              // numbers of its halves
     reg  [AB-1:0] right_q [0:3];
     reg  [SW-1:0] size_q [0:3];
@@ -58,29 +59,29 @@ module rt_build_nodes #(
 
     // ---- the largest of those that can be opened, the first of equals ----
     wire [3:0]    inner;
-    wire [4*SW-1:0] size;
+    wire [4*SW+3:0] size;
     reg  [1:0]    most;
-    reg  [SW-1:0] largest;
+    reg  [SW:0]   largest;
     genvar g;
     generate
         for (g = 0; g < 4; g = g + 1) begin : g_run
             assign inner[g] = g < runs_q && first_q[g] != last_q[g];
-            assign size[SW*g +: SW] = !inner[g] ? {SW{1'b0}}
-                : even_q ? {{(SW-AB){1'b0}}, last_q[g] - first_q[g]} : size_q[g];
+            assign size[(SW+1)*g +: SW+1] = {inner[g], even_q
+                ? {{(SW-AB){1'b0}}, last_q[g] - first_q[g]} : size_q[g]};
         end
     endgenerate
     integer i;
     always @* begin
         most    = 2'd0;
-        largest = size[0 +: SW];
+        largest = size[0 +: SW+1];
         for (i = 1; i < 4; i = i + 1)
-            if (size[SW*i +: SW] > largest) begin
-                largest = size[SW*i +: SW];
+            if (size[(SW+1)*i +: SW+1] > largest) begin
+                largest = size[(SW+1)*i +: SW+1];
                 most    = i[1:0];
             end
     end
     wire [AB-1:0] cut = even_q ? first_q[most] + ((last_q[most] - first_q[most]) >> 1)
-                               : number_q[most];
+                               : cut_q[most];
     wire [1:0]    added  = runs_q[1:0];      // where the right half goes
 
     // ---- a node and its children go out ----
@@ -142,7 +143,7 @@ module rt_build_nodes #(
     always @(posedge clk) begin
         gets_q <= read_o;
         got_q  <= reads;
-        if (gets_q) {size_q[got_q], right_q[got_q], left_q[got_q]} <= pair_i;
+        if (gets_q) {cut_q[got_q], size_q[got_q], right_q[got_q], left_q[got_q]} <= pair_i;
         case (state_q)
             POP: begin
                 waits_q     <= under;
