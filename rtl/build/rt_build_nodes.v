@@ -25,7 +25,7 @@ module rt_build_nodes #(
     output wire          read_o,
     output wire [AB-1:0] number_o,
     input  wire [3*AB+SW-1:0] pair_i,        // cut, size, right, left
-    // a node, before its children; both wait together
+    // a node, and its children while it waits
     output wire          node_valid_o,
     input  wire          node_ready_i,
     output wire [2*LB+5:0] node_o,           // leaves, inner ones, base, line
@@ -88,7 +88,7 @@ module rt_build_nodes #(
     reg  [3:0]    out_q;                     // inner ones to go out
     reg  [3:0]    leaf_q;                    // leaves to go out
     reg  [3:0]    push_q;                    // inner ones to be pushed
-    reg           head_q;                    // the node is out
+    reg           head_q;                    // the node itself is out
     reg  [1:0]    slot_q;                    // of the child that is pushed
     function [1:0] lowest;
         input [3:0] set;
@@ -105,7 +105,7 @@ module rt_build_nodes #(
     wire          out    = state_q == OUT;
     wire          pushes = out && |push_q;
     assign node_valid_o  = out && !head_q;
-    assign child_valid_o = out && head_q && |going;
+    assign child_valid_o = out && |going;
     assign child_o       = {gone, last_q[child], first_q[child]};
     reg  [2:0]    n_inner_q, n_leaf_q;
     assign node_o = {n_leaf_q, n_inner_q, next_o, line_q};
@@ -191,7 +191,8 @@ module rt_build_nodes #(
                     if (|out_q) out_q[child] <= 1'b0;
                     else leaf_q[child] <= 1'b0;
                 end
-                if (head_q && !(|going) && !(|push_q)) begin
+                if ((head_q || node_ready_i) && (~|going || (gone && child_ready_i)) &&
+                    (push_q & (push_q - 1'b1)) == 4'd0) begin
                     next_o  <= next_o + lines;
                     state_q <= POP;
                 end
