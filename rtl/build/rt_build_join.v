@@ -196,14 +196,16 @@ module rt_build_join #(
     wire [KB-1:0] lowest  = lefts[KB-1:0] & (~lefts[KB-1:0] + 1'b1);
     wire          to_left = lefts < rights_q || (lefts == rights_q && |(index_q & lowest));
     wire          alone   = lefts[DB+KB-1] && rights_q[DB+KB-1];
-    reg  [KB+1:0] found_q [0:WIN];           // from NEAREST + 1 on: any, to the left, k
+    localparam FB = KB + 2;                  // of what was found: any, to the left, k
+    reg  [FB*(WIN+1)-1:0] found_q;           // from NEAREST + 1 on
+    wire [FB-1:0] decided = found_q[FB*WIN +: FB];
     reg  [WIN:0]  taken_q;                   // it was joined to one before
     always @(posedge clk) begin
         rights_q <= after[WIN];
         if (here_q[NEAREST]) index_q <= index_q + 1'b1;
         if (start_i || (pass && asked_q == 0)) index_q <= {KB{1'b0}};
-        found_q[0] <= {here_q[NEAREST] && !alone, to_left,
-                       to_left ? lefts[KB-1:0] : rights_q[KB-1:0]};
+        found_q  <= {found_q[0 +: FB*WIN], here_q[NEAREST] && !alone, to_left,
+                     to_left ? lefts[KB-1:0] : rights_q[KB-1:0]};
     end
 
     // ---- two that found each other ----
@@ -211,15 +213,12 @@ module rt_build_join #(
     generate
         for (k = 1; k <= WIN; k = k + 1) begin : g_match
             localparam [KB-1:0] K = k;
-            assign match[k] = found_q[WIN] == {2'b10, K} && found_q[WIN-k] == {2'b11, K};
-            always @(posedge clk) begin
-                found_q[WIN-k+1] <= found_q[WIN-k];
-                taken_q[WIN-k+1] <= taken_q[WIN-k] || match[k];
-            end
+            assign match[k] = decided == {2'b10, K} && found_q[FB*(WIN-k) +: FB] == {2'b11, K};
+            always @(posedge clk) taken_q[WIN-k+1] <= taken_q[WIN-k] || match[k];
         end
     endgenerate
     always @(posedge clk) taken_q[0] <= 1'b0;
-    assign on = found_q[WIN][KB-1:0];
+    assign on = decided[KB-1:0];
 
     // ---- out: 1 both are there, 2 they are joined, 3 the pair ----
     reg           out1_q, out2_q, join1_q, join2_q;
