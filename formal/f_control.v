@@ -9,7 +9,8 @@
 `include "rt_top.vh"
 module f_control #(
     parameter LAYERS = 0,
-    parameter ADDR = 32
+    parameter ADDR = 32,
+    parameter BUILD = 0
 ) (
     input wire         clk,
     input wire         rst,
@@ -24,8 +25,9 @@ module f_control #(
     input wire         rready,
     input wire [127:0] built,
     input wire [31:0]  status,
-    input wire [15:0]  errors,
-    input wire [2:0]   happened,
+    input wire [63:0]  build,
+    input wire [20:0]  errors,
+    input wire [3:0]   happened,
     input wire         good,
     input wire [31:0]  machine_data,
     input wire         machine_busy,
@@ -34,23 +36,26 @@ module f_control #(
 );
     localparam ALL = `RT_TOP_SETTINGS, OTHERS = `RT_TOP_OTHERS;
     localparam [ALL-1:0] THERE = ~(`RT_TOP_SETTINGS_OF_LAYERS & {ALL{LAYERS == 0}} |
-                                   `RT_TOP_SETTINGS_OF_ADDR & {ALL{ADDR == 32}});
-    localparam [32*ALL-1:0] RESET = `RT_TOP_SETTINGS_RESET, KEPT = `RT_TOP_SETTINGS_KEPT;
+                                   `RT_TOP_SETTINGS_OF_ADDR & {ALL{ADDR == 32}} |
+                                   `RT_TOP_SETTINGS_OF_BUILD & {ALL{BUILD == 0}});
+    localparam [OTHERS-1:0] OTHERS_THERE = ~(`RT_TOP_OTHERS_OF_BUILD & {OTHERS{BUILD == 0}});
+    localparam [32*ALL-1:0] RESET = `RT_TOP_SETTINGS_RESET;
+    localparam [32*ALL-1:0] KEPT = `RT_TOP_SETTINGS_KEPT & ~{{32*ALL-5{1'b0}}, BUILD == 0, 4'd0};
     localparam [12*ALL-1:0] AT = `RT_TOP_SETTINGS_AT;
     localparam [12*OTHERS-1:0]   OTHERS_AT = `RT_TOP_OTHERS_AT;
     wire awready, wready, bvalid, arready, rvalid, irq, busy;
     wire [1:0]  bresp, rresp;
     wire [31:0] rdata;
-    wire [6:0]  order;
+    wire [7:0]  order;
     wire [3:0]  machine_write;
     wire [32*ALL-1:0] settings;
-    rt_control #(.LAYERS(LAYERS), .ADDR(ADDR)) u_dut (
+    rt_control #(.LAYERS(LAYERS), .ADDR(ADDR), .BUILD(BUILD)) u_dut (
         .clk(clk), .rst(rst), .s_awvalid(awvalid), .s_awready(awready), .s_awaddr(awaddr),
         .s_wvalid(wvalid), .s_wready(wready), .s_wdata(wdata), .s_wstrb(wstrb),
         .s_bvalid(bvalid), .s_bready(bready), .s_bresp(bresp), .s_arvalid(arvalid),
         .s_arready(arready), .s_araddr(araddr), .s_rvalid(rvalid), .s_rready(rready),
         .s_rdata(rdata), .s_rresp(rresp), .irq_o(irq), .busy_o(busy), .built_i(built),
-        .status_i(status),
+        .status_i(status), .build_i(build),
         .errors_i(errors), .happened_i(happened), .good_i(good), .order_o(order),
         .settings_o(settings), .machine_write_o(machine_write), .write_addr_o(),
         .write_data_o(), .read_addr_o(), .machine_data_i(machine_data),
@@ -81,7 +86,8 @@ module f_control #(
             selected[OTHERS+ALL] = counter(at) ||
                                    (machine(at) && at < `RT_TOP_MACHINE + 4*`RT_N_REGS);
             for (n = 0; n < ALL; n = n + 1) selected[n] = THERE[n] && at == AT[12*n +: 12];
-            for (n = 0; n < OTHERS; n = n + 1) selected[ALL+n] = at == OTHERS_AT[12*n +: 12];
+            for (n = 0; n < OTHERS; n = n + 1)
+                selected[ALL+n] = OTHERS_THERE[n] && at == OTHERS_AT[12*n +: 12];
         end
     endfunction
 

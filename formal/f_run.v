@@ -8,7 +8,7 @@
 module f_run (
     input wire        clk,
     input wire        rst,
-    input wire [6:0]  order,
+    input wire [7:0]  order,
     input wire [31:0] limit,
     input wire        loading,
     input wire        core_busy,

@@ -118,7 +118,7 @@ GROUPS = {
     "what a run left": (
         ("report", "report.main", "--csv=FILE FOLDER", "report.html of make sim"),
         ("film-report", "report.film", "FOLDER [COMMAND]", "the same of frames on rt_top"),
-        ("image-times", "top.frames", "FOLDER", "time to image of those frames"),
+        ("image-times", "top.frames", "FOLDER [MHZ]", "time to image of those frames"),
         ("gallery", "report.gallery", "FOLDER PAGE", "all scenes on a page"),
         ("browse", "report.browser", "--there [PAGE] [PICTURE] [WIDTH] [HEIGHT] [COLOURS]",
          "a page as Chromium shows it"),
@@ -169,6 +169,8 @@ GROUPS = {
     ),
     "faults and proofs": (
         ("faults", "faults.__main__", "...", "plants those of tests/faults, tells who notices"),
+        ("designed", "faults.designed", "--others --tell BUILD [PATTERN]",
+         "faults as a designer makes them: tests/faults/designed"),
         ("mutants", "faults.drawn.__main__", "COMMAND BUILD [WORD...]", "faults by Yosys, as jobs"),
         ("mutants-left", "faults.drawn.survivors", "BUILD [BENCH...]", "what is left, tried again"),
         ("mutants-c", "faults.drawn.model", "BUILD COUNT SEED MINUTES [WORD...]",

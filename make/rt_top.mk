@@ -5,12 +5,14 @@
 B       ?= build
 # another source folder, with a name for what is built of it
 RTL     ?= rtl
-NAME    ?= $(PROFILE)-$(CORE)-$(DATA)$(if $(filter 1,$(LAYERS)),-layers)
+NAME    ?= $(PROFILE)-$(CORE)-$(DATA)$(if $(filter 1,$(LAYERS)),-layers)$(if $(TREES:0=),-trees$(TREES))
 PROFILE ?= draft
 CORE    ?= all
 # bits of the scene's data; of frame store and display too, up to 128
 DATA    ?= 64
 LAYERS  ?= 0
+# spheres that it builds trees of, 0: it builds none
+TREES   ?= 0
 # bits of an address: more with one of the widths
 ADDR    ?= $(if $(filter 128,$(DATA)),40,32)
 BENCH   ?= tb_top
@@ -24,7 +26,8 @@ RTL_DIRS  := $(sort $(dir $(RTL_FILES)))
 FRAME_DATA := $(if $(filter 256,$(DATA)),128,$(DATA))
 PARAMETERS := $(shell sim/cores.py profile '$(PROFILE)') \
               $(shell sim/cores.py parameters '$(CORE)') \
-              DATA=$(FRAME_DATA) MEM_DATA=$(DATA) VIDEO=1 LAYERS=$(LAYERS) ADDR=$(ADDR)
+              DATA=$(FRAME_DATA) MEM_DATA=$(DATA) VIDEO=1 LAYERS=$(LAYERS) BUILD=$(TREES) \
+              ADDR=$(ADDR)
 VERILATE := $(VERILATOR) --cc --language 1364-2005 -O3 --x-assign unique --x-initial unique \
                 --top-module rt_top --prefix Vrt_top $(PARAMETERS:%=-G%) \
                 $(RTL_DIRS:%=-y %) $(RTL_DIRS:%=-I%)

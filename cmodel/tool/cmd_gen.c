@@ -44,6 +44,7 @@ enum {
     KEY_SKIP,
     KEY_ROUND,
     KEY_STRICT,
+    KEY_ALLOW,
     KEY_STYLE,
     KEY_COLOR,
     KEY_CAMERA,
@@ -69,6 +70,8 @@ static const struct argp_option gen_options[] = {
 static const struct argp_option import_options[] = {
     {"output", 'o', "FILE.nff", 0, "scene to write (default: standard output)", 0},
     {"resolution", KEY_RESOLUTION, "WxH", 0, "frame in pixels (320x180; AFF: the scene's)", 0},
+    {"allow-paths", KEY_ALLOW, NULL, 0,
+     "files that the scene names may lie anywhere, not only in its folder and below", 0},
     {"strict", KEY_STRICT, NULL, 0, "what is not used as it stands is an error", 0},
     {NULL, 0, NULL, 0, "Molecules, points and meshes:", 1},
     {"radius", KEY_RADIUS, "R", 0,
@@ -163,6 +166,9 @@ static error_t parse_import(int key, char *arg, struct argp_state *state) {
     switch (key) {
     case KEY_STRICT:
         a->aff.read.strict = a->import.strict = 1;
+        return 0;
+    case KEY_ALLOW:
+        a->aff.read.allow_paths = a->import.allow_paths = 1;
         return 0;
     case KEY_RADIUS:
         a->import.radius = real(state, "--radius", arg);

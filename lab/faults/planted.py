@@ -234,13 +234,12 @@ class Planting:
         return told_core(rc, text)
 
     def by_top(self, judge):
-        data, layers = (*judge.words, "64", "0")[:2] if len(judge.words) != 1 else (
-            judge.words[0], "0")
+        data, layers, trees = (*judge.words, *("64", "0", "0")[len(judge.words):])
         core, machines = self.shop.top
         make = ["make", "-s", "--no-print-directory", "-f", "make/rt_top.mk",
                 f"B={self.simulation()}", f"RTL={self.tree(judge, 'rtl')}/rtl", f"DATA={data}",
-                f"LAYERS={layers}", f"CORE={core}", f"MACHINES={machines}", "BENCH=tb_shell",
-                "SEED=1"]
+                f"LAYERS={layers}", f"TREES={trees}", f"CORE={core}", f"MACHINES={machines}",
+                "BENCH=tb_shell", "SEED=1"]
         self.shop.must([*make, "top"], self.say)
         rc, text = self.shop.run([*make, "run"], self.say)
         if rc and re.search("^not ok", text, re.M) and not CRASH.search(text):

@@ -4,8 +4,9 @@
 //                                                          radius] --> the largest, rounded up
 // Both passes run at the same time, on different runs. Distances are roots of W+1 digits, one a
 // clock, each digit a stage, so that a leaf enters every clock and nothing depends on the leaf
-// before it but the maximum at the end. At most 16 children are under way.
-// Model: enclose() in cmodel/build/nodes.c
+// before it but the maximum at the end. At most 16 children are under way. With corner_i the second
+// pass has one point, the corner of the box that is farthest from its middle.
+// Model: sph_bt_enclose(), sph_bt_on_box() in cmodel/build/bound.c
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_check.vh"
@@ -17,7 +18,12 @@ module rt_build_bound #(
 ) (
     input  wire          clk,
     input  wire          rst,                // synchronous, active high
-    // from rt_build_nodes: a child
+    // from rt_build; the last two stay while children are under way
+    input  wire          start_i,            // the grid's sphere replaces larger ones
+    input  wire          corner_i,           // a radius is made of the box of a run, not its leaves
+    input  wire          whole_i,            // a box is cut at the grid; from now on its sphere
+                                             // replaces larger ones
+    // from rt_build_nodes, rt_build_groups: a child
     input  wire          child_valid_i,
     output wire          child_ready_o,
     input  wire [2*AB:0] child_i,            // the node's last, last, first
@@ -34,7 +40,10 @@ module rt_build_bound #(
     input  wire          out_ready_i,
     output wire [1:0]    out_kind_o,         // leaf, the node's last
     output wire [55:0]   out_child_o,        // as a node has it, with the filter's margin
-    output wire [4*W+AB:0] out_leaf_o        // of one sphere: clear, number, radius, centre
+    output wire [4*W+AB:0] out_leaf_o,       // of one sphere: clear, number, radius, centre
+    // the same, earlier, for a later run
+    output wire          ball_o,
+    output wire [4*W-1:0] ball_leaf_o        // as a leaf: radius, centre
 );
     localparam BW = W + 2;                   // an end along an axis, signed
     localparam XW = W + 3;                   // along a diagonal: below 3/2 2^W + 7/4 2^W
@@ -96,6 +105,15 @@ module rt_build_bound #(
     wire signed [XW-1:0] along [0:6];
     wire signed [XW+2:0] sums [0:6];         // of both ends
     wire [CB-1:0] middle;
+    wire [6*BW-1:0] box;                     // high and low ends, of each axis
+    wire [3*BW-1:0] far;
+    reg  [12*BW-1:0] far_q;                  // four clocks: until a distance is made of it
+    function [BW-1:0] cut;                   // at the grid
+        input whole;
+        input [BW-1:0] v;
+        cut = !whole || v[BW-1:W-1] == 3'b000 || v[BW-1:W-1] == 3'b111
+              ? v : {{3{v[BW-1]}}, {(W-1){!v[BW-1]}}};
+    endfunction
     genvar i;
     generate
         for (i = 0; i < 3; i = i + 1) begin : g_axis
@@ -112,6 +130,7 @@ module rt_build_bound #(
             wire signed [XW-1:0] low  = along[i] - radius;
             wire signed [XW-1:0] high = along[i] + radius;
             reg  signed [EW-1:0] from_q, to_q, lo_q, hi_q;
+            wire signed [EW-1:0] lo_end, hi_end;
             reg  signed [EW:0] sum_q;
             assign sums[i] = {{(XW+2-EW){sum_q[EW]}}, sum_q};
             always @(posedge clk) begin
@@ -119,10 +138,18 @@ module rt_build_bound #(
                 to_q   <= high[EW-1:0];
                 if (ends_q[2] && (ends_q[1] || from_q < lo_q)) lo_q <= from_q;
                 if (ends_q[2] && (ends_q[1] || to_q > hi_q)) hi_q <= to_q;
-                sum_q  <= lo_q + hi_q;
+                sum_q  <= lo_end + hi_end;
             end
-            if (XW > EW) begin : g_short
+            if (i < 3) begin : g_box
+                reg [2*BW-1:0] both_q;
+                assign lo_end = cut(whole_i, lo_q);
+                assign hi_end = cut(whole_i, hi_q);
+                assign box[2*BW*i +: 2*BW] = both_q;
+                always @(posedge clk) both_q <= {hi_end, lo_end};
                 wire unused = &{1'b0, low[XW-1:EW], high[XW-1:EW]};
+            end else begin : g_diagonal
+                assign lo_end = lo_q;
+                assign hi_end = hi_q;
             end
         end
         for (i = 0; i < 3; i = i + 1) begin : g_middle
@@ -131,7 +158,9 @@ module rt_build_bound #(
             wire signed [XW+2:0] three = i == 1 ? -sums[5] : sums[5];
             wire signed [XW+2:0] four  = i == 0 ? -sums[6] : sums[6];
             wire signed [XW+2:0] twice = sums[i];
-            wire signed [XW+2:0] all   = (twice <<< 2) + one + two + three + four;
+            // of a box alone its half, rounded down to grid units first
+            wire signed [XW+2:0] all   = corner_i ? (twice - (K == 0 ? 1 : 0)) <<< 3
+                                       : (twice <<< 2) + one + two + three + four;
             wire signed [XW+2:0] up    = (all >>> (K + 3)) + 1;
             wire signed [XW+2:0] fine  = up >>> 1;
             wire fits = fine[XW+2:FW-1] == {(XW+4-FW){1'b0}} ||
@@ -140,10 +169,14 @@ module rt_build_bound #(
             always @(posedge clk)
                 middle_q <= fits ? fine[FW-1:0] : {fine[XW+2], {(FW-1){!fine[XW+2]}}};
             assign middle[FW*i +: FW] = middle_q;
+            // the farther end, as seen from there, which is above the half if it was rounded up
+            assign far[BW*i +: BW] = K != 0 && fits && twice[K] ? box[2*BW*i +: BW]
+                                                                : box[2*BW*i + BW +: BW];
             wire unused = &{1'b0, all[K+2:0], up[0]};
         end
     endgenerate
     always @(posedge clk) begin
+        far_q      <= {far_q[9*BW-1:0], far};
         ends_q     <= {a_here, a_head, a_tail};
         ends_run_q <= a_run;
         boxed2_q   <= ends_q[2] && ends_q[0];
@@ -181,8 +214,8 @@ module rt_build_bound #(
         b_new_q <= b_begins;
         if (b_begins) begin
             {b_middle_q, b_end_q, b_last_q} <= run[2*AB+CB:AB];
-            b_at_q   <= run[0 +: AB];
-            b_leaf_q <= run[0 +: AB] == run[AB +: AB];
+            b_at_q   <= corner_i ? run[AB +: AB] : run[0 +: AB];
+            b_leaf_q <= run[0 +: AB] == run[AB +: AB] && !corner_i;
         end else if (b_more) b_at_q <= b_at_q + 1'b1;
         b_on_q <= !rst && (b_begins || b_more);
     end
@@ -201,14 +234,17 @@ module rt_build_bound #(
     reg  [2*W+1:0] s3_sum_q;
     generate
         for (i = 0; i < 3; i = i + 1) begin : g_apart
-            wire signed [W:0] from = {s0_middle_q[FW*i + FW - 1], s0_middle_q[FW*i +: FW],
-                                      {K{1'b0}}};
-            wire signed [W:0] to   = {b_leaf_i[W*i + W - 1], b_leaf_i[W*i +: W]};
-            wire signed [W:0] d    = from - to;
+            wire signed [BW:0] from = {{3{s0_middle_q[FW*i + FW - 1]}}, s0_middle_q[FW*i +: FW],
+                                       {K{1'b0}}};
+            wire signed [BW-1:0] to = corner_i ? far_q[BW*(9+i) +: BW]
+                                               : {{2{b_leaf_i[W*i + W - 1]}}, b_leaf_i[W*i +: W]};
+            wire signed [BW:0] d    = from - to;
             wire [W-1:0]   minus_d = ~d[W-1:0] + 1'b1;
-            reg  [W-1:0]   s1_apart_q;       // at most 2^W - 1
+            // of a leaf at most 2^W - 1; a corner beyond makes a sphere that is too large anyway
+            wire           over = d[BW:W] != {3{d[BW]}} || (d[BW] && d[W-1:0] == 0);
+            reg  [W-1:0]   s1_apart_q;
             always @(posedge clk) begin
-                s1_apart_q <= d[W] ? minus_d : d[W-1:0];
+                s1_apart_q <= over ? {W{1'b1}} : d[BW] ? minus_d : d[W-1:0];
                 s2_square_q[2*W*i +: 2*W] <= s1_apart_q * s1_apart_q;
             end
         end
@@ -246,7 +282,7 @@ module rt_build_bound #(
     wire [W+3:0]  beside;
     wire          there;
     rt_delay #(.WIDTH(W + 4), .CYCLES(ROOT + 3)) u_beside (
-        .clk(clk), .in_i({s0_tag_q, b_leaf_i[3*W +: W]}), .out_o(beside)
+        .clk(clk), .in_i({s0_tag_q, corner_i ? {W{1'b0}} : b_leaf_i[3*W +: W]}), .out_o(beside)
     );
     rt_delay_valid #(.CYCLES(ROOT + 3)) u_there (
         .clk(clk), .rst(rst), .in_i(s0_here_q), .out_o(there)
@@ -284,17 +320,28 @@ module rt_build_bound #(
     localparam [RW:0] UP = (1 << K) - 1;
     wire [RW:0]   raised = {1'b0, most_q} + UP;
     wire [RW-K:0] units  = raised[RW:K];
-    wire          beyond  = units > WHOLE;
-    wire [RW-K:0] least   = beyond ? WHOLE : units; // at most sqrt(3) * 2^13 + 1
+    reg  [RW-K:0] cap_q;                     // of a radius
+    reg  [CB-1:0] cap_centre_q;
+    wire          beyond  = units > cap_q;
+    wire [RW-K:0] least   = beyond ? cap_q : units; // at most sqrt(3) * 2^13 + 1
     wire [19:0]   margined = {{(17-FW){1'b0}}, least} + `RT_FILTER_MARGIN;
     wire [`RT_CHILD_RAD_BITS-1:0] radius = margined[`RT_CHILD_RAD_BITS-1:0];
 
     // ---- queues of centres, leaves and results ----
-    wire [CB-1:0] centre;
+    wire [CB-1:0] waited;
+    wire [CB-1:0] centre = beyond ? cap_centre_q : waited;
+    always @(posedge clk)
+        if (start_i) begin
+            cap_q        <= WHOLE;
+            cap_centre_q <= {CB{1'b0}};
+        end else if (whole_i && most_here_q) begin
+            cap_q        <= least;
+            cap_centre_q <= centre;
+        end
     rt_fifo #(.WIDTH(CB), .DEPTH(16)) u_middles (
         .clk(clk), .rst(rst),
         .in_valid_i(boxed_q), .in_ready_o(rooms[1]), .in_data_i(middle),
-        .out_valid_o(some[0]), .out_ready_i(most_here_q), .out_data_o(centre)
+        .out_valid_o(some[0]), .out_ready_i(most_here_q), .out_data_o(waited)
     );
     rt_fifo #(.WIDTH(4*W + AB + 1), .DEPTH(16)) u_leaves (
         .clk(clk), .rst(rst),
@@ -306,10 +353,12 @@ module rt_build_bound #(
     wire [55:0] result;
     generate
         for (i = 0; i < 3; i = i + 1) begin : g_out
-            wire [13:0] wide = {{(15-FW){centre[FW*i + FW - 1]}}, centre[FW*i +: FW-1]};
-            assign result[14*i +: 14] = beyond ? 14'd0 : wide;
+            assign result[14*i +: 14] = {{(15-FW){centre[FW*i + FW - 1]}}, centre[FW*i +: FW-1]};
+            assign ball_leaf_o[W*i +: W] = {centre[FW*i +: FW], {K{1'b0}}};
         end
     endgenerate
+    assign ball_o = most_here_q;
+    assign ball_leaf_o[3*W +: W] = {least[FW-1:0], {K{1'b0}}}; // at most sqrt(3) * 2^(FW-1) + 1
     assign result[`RT_CHILD_RAD_LSB +: `RT_CHILD_RAD_BITS] = radius;
     rt_fifo #(.WIDTH(58), .DEPTH(16)) u_results (
         .clk(clk), .rst(rst),

@@ -3,6 +3,7 @@
  *
  * usage: tb_top A.sph B.sph [seed]        two machines of the core's profile, not of one picture
  */
+#include "top_builds.h"
 #include "top_display.h"
 #include "top_faults.h"
 extern "C" {
@@ -17,7 +18,13 @@ static void scripted(Checks &c, const Golden &any);
 static void settings(Checks &c) {
     static const struct {
         uint32_t at, kept;
-    } all[] = {{SPHAERA_INTERRUPT_ENABLE, 0xf},
+    } all[] = {{SPHAERA_BUILD_COUNT, SPHAERA_BUILD_COUNT_SPHERES},
+               {SPHAERA_BUILD_RECORDS, SPHAERA_BUILD_RECORDS_LINE},
+               {SPHAERA_BUILD_TREE0, SPHAERA_BUILD_TREE0_LINE},
+               {SPHAERA_BUILD_TREE1, SPHAERA_BUILD_TREE1_LINE},
+               {SPHAERA_BUILD_LINES, SPHAERA_BUILD_LINES_LINES},
+               {SPHAERA_BUILD_MODE, SPHAERA_BUILD_MODE_ORDER | SPHAERA_BUILD_MODE_ROOT},
+               {SPHAERA_INTERRUPT_ENABLE, c.builds() ? 0x1fu : 0xf},
                {SPHAERA_WATCHDOG, 0xffffffff},
                {0x040, 0xfffff000},
                {0x044, 0xffffffc0},
@@ -32,31 +39,32 @@ static void settings(Checks &c) {
                {0x068, 0x1fff1fff},
                {0x06c, 0x1fff1fff},
                {0x070, 0x1fff1fff},
-               /* the last ones are there by parameters */
+               /* so are the last ones */
                {ADDR > 32 ? 0x078u : 0x074u, ADDR > 32 ? 0xffffffff : 0xffffffc0},
                {0x074, 0xffffffc0}};
     TopHost &t = c.top;
-    const size_t count = std::size(all) - (ADDR > 32 ? !c.layers : 1 + !c.layers);
+    const size_t none = c.builds() ? 0 : 6; /* the first ones are there by a parameter, */
+    const size_t count = std::size(all) - none - (ADDR > 32 ? !c.layers : 1 + !c.layers);
     uint32_t first[std::size(all)], copy[std::size(all)];
     t.stall = 40;
     t.reset();
     for (size_t i = 0; i < count; i++)
-        first[i] = copy[i] = t.read(all[i].at);
+        first[i] = copy[i] = t.read(all[none + i].at);
     for (int n = 0; n < 200; n++) {
         const size_t at = (size_t)t.random.below((uint32_t)count);
         const uint32_t value = (uint32_t)t.random.next();
         const unsigned strobe = (unsigned)t.random.below(16);
-        t.write(all[at].at, value, strobe);
+        t.write(all[none + at].at, value, strobe);
         for (int b = 0; b < 4; b++)
             if (strobe >> b & 1) copy[at] = (copy[at] & ~(255u << 8 * b)) | (value & 255u << 8 * b);
-        copy[at] &= all[at].kept;
-        c.equals("setting", t.read(all[at].at), copy[at]);
+        copy[at] &= all[none + at].kept;
+        c.equals("setting", t.read(all[none + at].at), copy[at]);
         const size_t other = (size_t)t.random.below((uint32_t)count);
-        c.equals("another setting", t.read(all[other].at), copy[other]);
+        c.equals("another setting", t.read(all[none + other].at), copy[other]);
     }
     t.reset();
     for (size_t i = 0; i < count; i++)
-        c.equals("setting after a reset", t.read(all[i].at), first[i]);
+        c.equals("setting after a reset", t.read(all[none + i].at), first[i]);
     t.stall = 0;
     c.done("settings: each bit, strobes, reset");
 }
@@ -72,7 +80,8 @@ static void fixed(Checks &c, const Golden &a) {
         {SPHAERA_CORE_PARTS, t.driver.parts},
         {SPHAERA_CORE_BUS, DATA | SPHAERA_CORE_BUS_VIDEO |
                                (c.layers ? SPHAERA_CORE_BUS_LAYERS : 0) |
-                               (uint32_t)ADDR << SPHAERA_CORE_BUS_ADDR_LSB},
+                               (uint32_t)ADDR << SPHAERA_CORE_BUS_ADDR_LSB |
+                               (t.driver.built & SPHAERA_CORE_BUS_BUILD)},
         {SPHAERA_CONTROL, 0},
         {SPHAERA_STATUS, SPHAERA_STATUS_BLANK},
         {SPHAERA_FRAME_COUNT, 0},
@@ -123,10 +132,12 @@ static void registers(Checks &c, const Golden &a) {
     c.equals("low bits of an address", t.read(SPHAERA_FRAME1), SPHAERA_FRAME1_PLACE);
     c.store(c.stride, c.rgb565);
     const uint32_t behind = SPHAERA_MACHINE + 4 * SPHAERA_MACHINE_REGISTERS;
-    for (uint32_t offset :
-         {0x18u, 0x1cu, 0x3cu, 0x74u, 0x78u, 0x7cu, behind, 0x3fcu, 0x548u, 0xffcu}) {
+    for (uint32_t offset : {0x18u, 0x1cu, 0x3cu, 0x74u, 0x78u, 0x7cu, 0x80u, 0x94u, 0x98u, 0x9cu,
+                            0xa0u, behind, 0x3fcu, 0x548u, 0xffcu}) {
         if (offset == SPHAERA_LAYER_BYTES && c.layers) continue;
         if (offset == SPHAERA_ADDRESS_HIGH && ADDR > 32) continue;
+        if (offset >= SPHAERA_BUILD_COUNT && offset <= SPHAERA_BUILD_WRITTEN && c.builds())
+            continue;
         c.equals("no register reads 0", t.read(offset), 0);
         c.equals("and answers SLVERR", (uint64_t)t.response, SLVERR);
         t.write(offset, 0xffffffff);
@@ -386,6 +397,12 @@ int main(int argc, char **argv) {
     answers(*c, a, b);
     resets(*c, a, b);
     silence(*c, a, b);
+    if (c->builds()) {
+        built_words(*c, a);
+        built_frames(*c, a);
+        built_resets(*c, a);
+        built_silence(*c, a);
+    }
     if (c->top.driver.built & SPHAERA_CORE_BUS_VIDEO) display(*c, a, b);
     if (c->layers && c->top.driver.built & SPHAERA_CORE_BUS_VIDEO) display_layers(*c, a);
 #ifdef SCRIPTED

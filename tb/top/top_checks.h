@@ -86,6 +86,7 @@ class Checks {
         equals("layers", (uint64_t)sphaera_layers(&top.driver, apart),
                layers ? SPHAERA_OK : SPHAERA_NO_LAYERS);
     }
+    bool builds() const { return top.driver.built & SPHAERA_CORE_BUS_BUILD; }
     void choose(unsigned frame) {
         mux = frame;
         sphaera_mux(&top.driver, frame);

@@ -17,7 +17,8 @@
 #include "validate/validate.h"
 
 static int differ(const struct sph_pixel *a, const struct sph_pixel *b) {
-    return a->id != b->id || a->key != b->key || memcmp(a->colour, b->colour, sizeof a->colour);
+    return a->id != b->id || a->key != b->key || a->texture != b->texture ||
+           memcmp(a->colour, b->colour, sizeof a->colour);
 }
 
 static void show(const char *who, const struct sph_pixel *p) {
