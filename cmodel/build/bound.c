@@ -27,7 +27,7 @@ void sph_bt_add(struct sph_bt_box *box, const int32_t ctr[3], int32_t rad, int k
 }
 
 enum { AXES = 3, ALONG = 7 };
-static const int along[ALONG][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, /* axes, then diagonals */
+static const int along[ALONG][3] = {{1, 0, 0}, {0, 1, 0},  {0, 0, 1}, /* axes, then diagonals */
                                     {1, 1, 1}, {1, 1, -1}, {1, -1, 1}, {-1, 1, 1}};
 
 /* A coordinate of 2^shift parts of a filter unit to one in filter units of the grid. */

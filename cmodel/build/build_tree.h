@@ -76,8 +76,9 @@ void sph_bt_on_box(const struct sph_bt_box *box, const struct sph_profile *profi
 void sph_bt_order(const struct sph_bt_leaf *leaves, uint32_t n, int mode,
                   const struct sph_profile *profile, uint32_t *order, uint64_t *spare);
 
-/* The binary tree: n - 1 of pairs[0 .. n-1] by their number, *root that of its root (if there is
- * none, any), and in place of the curve's order that of its leaves. -1 if memory is out. */
+/* A round. The binary tree: n - 1 of pairs[0 .. n-1] by their number, *root that of its root (if
+ * there is none, any), and in place of the order along which they are joined that of its leaves. -1
+ * if memory is out. */
 int sph_bt_join(const struct sph_bt_leaf *leaves, uint32_t n, const struct sph_profile *profile,
                 uint32_t *order, struct sph_bt_pair *pairs, uint32_t *root);
 
@@ -103,9 +104,10 @@ struct sph_bt_kept {
 
 void sph_bt_forget(struct sph_bt_kept *kept);
 
-/* All of it. mode: one of SPH_BUILD_*; kept: of the build before, becomes that of this one, may be
+/* All of it. mode: one of SPH_BUILD_*; rounds: of joining along its own order that follow the first
+ * one, with SPH_BUILD_CURVE; kept: of the build before, becomes that of this one, may be
  * NULL. *nodes is malloc'd; -1 with a message if memory is out. */
-int sph_bt_tree(const struct sph_bt_leaf *leaves, uint32_t n, int mode,
+int sph_bt_tree(const struct sph_bt_leaf *leaves, uint32_t n, int mode, uint32_t rounds,
                 const struct sph_profile *profile, struct sph_bt_kept *kept,
                 struct sph_bt_node **nodes, uint32_t *n_nodes, struct sph_error *err);
 
@@ -121,6 +123,7 @@ struct sph_bt_job {
     uint32_t root;            /* line of the root: nodes and leaf records follow */
     uint32_t lines;           /* that they may take */
     int mode;                 /* SPH_BUILD_CURVE, _PAPER, _REFIT */
+    uint32_t rounds;          /* as sph_bt_tree() has it, 0 to 3 */
     struct sph_bt_kept *kept; /* what rt_build holds of the build before; NULL: nothing, ever */
 };
 

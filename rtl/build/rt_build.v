@@ -22,6 +22,7 @@ module rt_build #(
     // what is wanted; stays as it is while busy_o is high
     input  wire          start_i,            // while busy_o is low
     input  wire [1:0]    mode_i,             // RT_BUILD_CURVE, _PAPER, _REFIT
+    input  wire [1:0]    rounds_i,           // of CURVE: rounds of joining that follow the first
     input  wire [`RT_ID_BITS-1:0] count_i,   // spheres
     input  wire [`RT_LINE_BITS-1:0] prim_base_i, // line of the record of sphere 0
     input  wire [`RT_LINE_BITS-1:0] root_i,  // line of the root, nodes and leaf records follow
@@ -177,7 +178,8 @@ module rt_build #(
     wire [AB-1:0] cut;
     rt_build_join #(.W(W), .AB(AB), .SW(SW)) u_join (
         .clk(clk), .rst(rst),
-        .start_i(join_start_q), .count_i(count), .done_o(joined), .root_o(root),
+        .start_i(join_start_q), .count_i(count), .rounds_i(rounds_i),
+        .done_o(joined), .root_o(root),
         .read_o(join_read), .place_o(join_place), .id_i(id_a), .leaf_i(leaf_a[4*W-1:0]),
         .pair_o(pair_put), .number_o(pair_to), .pair_data_o(pair_in),
         .link_o(link), .link_from_o(link_from), .link_to_o(link_to),

@@ -6,7 +6,8 @@
 // A pass takes a clock a cluster and DECIDES + 6 more. All stages move every clock, what is no
 // cluster as well. Position p of a cluster is how many clocks ago it became x: at NEAREST it has
 // met all of its window, at DECIDES so has all of its window. What is joined stays in the place of
-// the left one. When one cluster is left, the list of its spheres becomes the order.
+// the left one. When one cluster is left, the list of its spheres becomes the order, and maybe the
+// row of the next round.
 // Model: sph_bt_join() in cmodel/build/join.c
 `timescale 1ns / 1ps
 `default_nettype none
@@ -21,6 +22,7 @@ module rt_build_join #(
     // from rt_build
     input  wire          start_i,
     input  wire [AB:0]   count_i,            // spheres, at least 1
+    input  wire [1:0]    rounds_i,           // it is joined again along its own order so often
     output reg           done_o,
     output wire [AB-1:0] root_o,             // number of the root's pair
     // spheres along the curve: the number a clock after the place, the sphere two
@@ -56,6 +58,7 @@ module rt_build_join #(
     localparam [1:0] IDLE = 2'd0, PASS = 2'd1, WALK = 2'd2;
 
     reg  [1:0]    state_q;
+    reg  [1:0]    round_q;
     reg           first_q;                   // the pass reads spheres
     reg           even_q;                    // it joins every two
     reg  [AB:0]   m_q;                       // clusters of the pass
@@ -266,6 +269,7 @@ module rt_build_join #(
 
     // ---- control ----
     wire          over = pass && passed_q == m_q && !out1_q && !out2_q;
+    wire          again = put_o && last && round_q != rounds_i;
     always @(posedge clk) begin
         done_o <= 1'b0;
         if (ask || put_o) asked_q <= asked_q + 1'b1;
@@ -276,17 +280,19 @@ module rt_build_join #(
             from_q <= who_q[AB +: AB];
         end
         begun_q <= put_o;
-        if (start_i || over) begin
+        if (start_i || over || again) begin
             state_q  <= PASS;
-            first_q  <= start_i;
-            even_q   <= !start_i && !even_q && out_q > m_q - (m_q >> 3);
-            m_q      <= start_i ? count_i : out_q;
+            first_q  <= !over;
+            even_q   <= over && !even_q && out_q > m_q - (m_q >> 3);
+            m_q      <= over ? out_q : count_i;
             asked_q  <= {(AB+1){1'b0}};
             passed_q <= {(AB+1){1'b0}};
             out_q    <= {(AB+1){1'b0}};
         end
-        if (over && !start_i && out_q == 1) state_q <= WALK;
-        if (put_o && last) begin
+        if (start_i) round_q <= 2'd0;
+        if (again) round_q <= round_q + 1'b1;
+        if (over && out_q == 1) state_q <= WALK;
+        if (put_o && last && !again) begin
             state_q <= IDLE;
             done_o  <= 1'b1;
         end

@@ -22,7 +22,7 @@ static uint64_t next(void *of) {
 static void draw(enum drawn_kind kind, uint32_t n, const struct sph_profile *p,
                  struct sph_bt_job *job) {
     drawn_spheres(kind, leaves, n, p, next, NULL);
-    *job = (struct sph_bt_job){n, 3, n + 5, (uint32_t)sph_bt_lines(n), SPH_BUILD_CURVE, NULL};
+    *job = (struct sph_bt_job){n, 3, n + 5, (uint32_t)sph_bt_lines(n), SPH_BUILD_CURVE, 0, NULL};
     for (size_t i = 0; i < sizeof memory / 4; i++)
         memory[i] = (uint32_t)next(NULL);
     for (uint32_t id = 0; id < n; id++)
@@ -322,7 +322,7 @@ static void test_paper(void **unused) {
         uint32_t lines = (uint32_t)m.regs[SPH_REG_PRIM_BASE], n = (uint32_t)m.regs[SPH_REG_N_PRIMS];
         size_t words = (size_t)lines * SPH_LINE_WORDS;
         uint32_t *built = malloc(words * sizeof *built);
-        struct sph_bt_job job = {n, lines, 0, UINT32_MAX, SPH_BUILD_PAPER, NULL};
+        struct sph_bt_job job = {n, lines, 0, UINT32_MAX, SPH_BUILD_PAPER, 0, NULL};
         assert_non_null(built);
         memcpy(built, m.mem, words * sizeof *built);
         memset(m.mem, 0xff, words * sizeof *built);
