@@ -231,13 +231,13 @@ module rt_build #(
     // runs differ in length: many children may wait
     wire          run_valid, run_ready;
     wire [2*AB:0] run;
-    rt_fifo #(.WIDTH(2*AB + 1), .DEPTH(64)) u_children (
+    rt_fifo #(.WIDTH(2*AB + 1), .DEPTH(128)) u_children (
         .clk(clk), .rst(rst),
         .in_valid_i(child_valid && child_ready), .in_ready_o(child_ready), .in_data_i(child),
         .out_valid_o(run_valid), .out_ready_i(run_ready), .out_data_o(run)
     );
     wire          head_take;
-    rt_fifo #(.WIDTH(2*LB + 6), .DEPTH(32)) u_heads (
+    rt_fifo #(.WIDTH(2*LB + 6), .DEPTH(64)) u_heads (
         .clk(clk), .rst(rst),
         .in_valid_i(node_in && node_room), .in_ready_o(node_room), .in_data_i(node_word),
         .out_valid_o(heads), .out_ready_i(head_take), .out_data_o(head)

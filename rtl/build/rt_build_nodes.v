@@ -137,12 +137,13 @@ module rt_build_nodes #(
     wire [3:0]    all     = runs_q[2] ? 4'b1111 : ~(4'b1111 << runs_q);
     wire [LB-1:0] lines   = {{(LB-3){1'b0}}, n_inner_q} + {{(LB-2){1'b0}}, n_leaf_q[2:1]} +
                             {{(LB-1){1'b0}}, n_leaf_q[0]};
-    assign read_o   = state_q == READ && |read_q;
-    assign number_o = number_q[reads];
+    wire          pops    = state_q == POP && |waits_q;
+    assign read_o   = pops || (state_q == READ && |read_q);
+    assign number_o = pops ? top[2*AB +: AB] : number_q[reads];
     assign idle_o   = state_q == IDLE;
     always @(posedge clk) begin
         gets_q <= read_o;
-        got_q  <= reads;
+        got_q  <= pops ? 2'd0 : reads;
         if (gets_q) {cut_q[got_q], size_q[got_q], right_q[got_q], left_q[got_q]} <= pair_i;
         case (state_q)
             POP: begin
@@ -154,7 +155,7 @@ module rt_build_nodes #(
                 line_q      <= top[RW +: LB];
                 level_q     <= top_level + 1'b1;
                 runs_q      <= 3'd1;
-                read_q      <= 4'd1;
+                read_q      <= 4'd0;
                 state_q     <= |waits_q ? READ : IDLE;
             end
             READ: begin
