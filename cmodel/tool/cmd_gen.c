@@ -55,7 +55,7 @@ static const struct argp_option gen_options[] = {
     {"output", 'o', "FILE.nff", 0, "scene to write (default: standard output)", 0},
     {"size", KEY_SIZE, "N", 0,
      "sphereflake: levels, icosphere: cuts, jacks and so on: how many, 1 to 5 (2)", 0},
-    {"spheres", 'n', "N", 0, "random, scenarios: number of spheres (1000, 64)", 0},
+    {"spheres", 'n', "N", 0, "random, swarm, scenarios: number of spheres (1000, 4096, 64)", 0},
     {"radius", KEY_RADIUS, "R", 0, "scenarios: of every sphere (1)", 0},
     {"plain", KEY_PLAIN, NULL, 0,
      "scenarios: materials without highlights, ambient share and Whitted's sum", 0},

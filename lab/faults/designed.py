@@ -1,7 +1,7 @@
 # designed.py - faults as a designer makes them: each is tried by the nearest bench, then by others
 # SPDX-License-Identifier: Apache-2.0
 """usage: python3 -m lab designed BUILD [PATTERN]
-       python3 -m lab designed BUILD --tell
+       python3 -m lab designed BUILD --told
 The lists tests/faults/designed/*.txt are those of tests/faults (python3 -m lab faults --help)
 without judges: `rule` is what somebody may have thought, and `same TEXT` says why nothing can
 notice the fault. They were written before the checks of their modules were read. PATTERN: faults
@@ -12,6 +12,7 @@ has one: all faults of these modules stand in one program, and a number selects 
 meets a bench above, proofs of its file, and frames of the core. A fault of the model, of the tool,
 driver or lab meets the suites of its folder. Results are kept in BUILD/designed; what is known of
 the same fault in the same sources is not asked again."""
+import collections
 import glob
 import hashlib
 import json
@@ -75,7 +76,7 @@ class Whole(Selecting):
         return super().make(None)
 
     def compiled(self, verilog, harness, macros, objects, libraries, more=()):
-        return self.compile(self.folder, [*more, *self.verilate(self.here)], harness, macros,
+        return self.compile(self.folder, [*self.verilate(self.here), *more], harness, macros,
                             objects, libraries, begin=benches.NUMBER)
 
 
@@ -242,16 +243,68 @@ def programs(kept, found, picked, build):
                 kept.add(record, name, verdict, time.monotonic() - began, suite)
 
 
-def main(build, pattern="", tell=False, others=False):
+HEAD = ["faults", "noticed by the nearest", "by others", "equivalent", "left", "noticed, %",
+        "by the nearest, %"]
+
+
+def verdicts(kept, found, build):
+    """{record: (verdict, judge)}: nearest, others, equivalent, left, or not tried."""
+    lines = {line.name: line.top for line in benches.benches.every(build, Selected)}
+    tops, above = set(lines.values()), plan.parents()
+    told = {}
+    for record in found:
+        killed = [row[0] for row in kept.of(record) if row[1] not in ("survived", "broken")]
+        if not killed:
+            told[record] = ("equivalent" if record.same else "left" if kept.of(record) else
+                            "not tried"), ""
+            continue
+        close = killed[0].startswith("near ")
+        if record.edits[0].side == "rtl":
+            names = near(module(record), tops, above)
+            close = lines.get(killed[0]) in names if names else killed[0] not in lines
+        told[record] = "nearest" if close else "others", killed[0].removeprefix("near ")
+    return told
+
+
+def row(name, count):
+    alive = count["nearest"] + count["others"] + count["left"]
+    return [name, str(sum(count.values())), *(str(count[word]) for word in (
+        "nearest", "others", "equivalent", "left")), *(
+            f"{100 * part / max(1, alive):.1f}" for part in (
+                count["nearest"] + count["others"], count["nearest"]))]
+
+
+def tell(kept, found, build):
+    """The tables of the page."""
+    told = verdicts(kept, found, build)
+    by = collections.defaultdict(collections.Counter)
+    for record, (verdict, _) in told.items():
+        edit = record.edits[0]
+        folder = "/".join(edit.path.split("/")[:2]) if edit.side in ("rtl", "model") else edit.side
+        by[folder][verdict] += 1
+    place.place(PAGE, "make designed", {
+        "designed": [["folder", *HEAD], *(row(name, by[name]) for name in sorted(by)),
+                     row("**all**", sum(by.values(), collections.Counter()))],
+        "designed_faults": [["fault", "file", "verdict", "by"], *(
+            [record.name, record.edits[0].path, verdict, judge or record.same or "-"]
+            for record, (verdict, judge) in told.items())]})
+    print(*(f"{record.name}: {verdict}" for record, (verdict, _) in told.items()
+            if verdict in ("left", "not tried") or record.same and verdict != "equivalent"),
+          sep="\n")
+
+
+def main(build, pattern="", told=False, others=False):
     found = records.read(sorted(glob.glob(LISTS)), judged=False)
     picked = [r for r in found if any(pattern in text
                                       for text in (r.name, r.file, *(e.path for e in r.edits)))]
     kept = Kept(build)
-    if not tell:
+    if not told:
         for later in (False, True)[:1 + others]:
             rtl(kept, [r for r in picked if r.edits[0].side == "rtl"], build, later)
         programs(kept, [r for r in found if r.edits[0].side != "rtl"],
                  [r for r in picked if r.edits[0].side != "rtl"], build)
+    else:
+        tell(kept, found, build)
     left = [r for r in picked if kept.alive(r)]
     print(f"{len(picked)} faults, {len(picked) - len(left)} noticed", *(r.name for r in left),
           sep="\n  ")

@@ -305,11 +305,13 @@ class Planting:
 
     def by_naive(self, judge):
         """The naive model's picture of the scene of `agree`, beside that of a faulty model."""
-        machine, _ = self.machine(self.record.agree() if self.record else judge, "--size", "12x9")
+        machine, words = self.machine(self.record.agree() if self.record else judge, "--size",
+                                      "12x9")
+        pokes = [word for word in words if word.startswith("--poke=")]
         naive = self.once("naive", lambda: self.linked(
             "naive", [f"{self.shop.build}/test/obj/tests/reference/naive_frame.o",
                       *self.objects(judge)]))
-        rc, text = self.shop.run([naive, machine], self.say)
+        rc, text = self.shop.run([naive, *pokes, machine], self.say)
         return {0: ("passed", ""), 1: ("noticed", "a pixel of the naive model")}.get(
             rc, ("broken", f"ends with {rc}" + text[:0]))
 
@@ -365,6 +367,13 @@ class Planting:
         rc, text = self.shop.run(["env", "-C", tree, "python3", "-m", "lab", "reset", "build",
                                   *judge.words], self.say)
         if rc == 1 and re.search("^not ok.* is [x1] in clock", text, re.M):
+            return "noticed", how(text)
+        return ("broken", f"ends with {rc}") if rc else ("passed", "")
+
+    def by_crossings(self, judge):
+        rc, text = self.shop.run(["python3", "-m", "lab", "crossings", *judge.words, "--rtl",
+                                  f"{self.tree(judge, 'rtl')}/rtl"], self.say)
+        if rc == 1 and re.search("^not ok", text, re.M):
             return "noticed", how(text)
         return ("broken", f"ends with {rc}") if rc else ("passed", "")
 

@@ -24,6 +24,7 @@ There may be several files in a record, each with its from and to, and several j
     naive                          the naive model draws the scene of `agree` otherwise
     proof NAME                     a proof of formal/proofs.txt
     reset MODULE                   lab.reset: what is quiet after a clock of reset
+    crossings MODULE               lab.ip.crossings: paths between clocks of its netlist
 """
 import difflib
 import glob
@@ -32,6 +33,7 @@ import re
 from dataclasses import dataclass, field
 
 from .. import benches
+from ..ip import crossings
 
 LISTS = "tests/faults/*.txt"
 FOLDERS = {"model": "cmodel", "rtl": "rtl", "formal": "formal", "driver": "driver", "lab": "lab"}
@@ -40,7 +42,8 @@ KEYS = ("fault", "rule", *FOLDERS, "from", "to", "by", "more", "agree", "same")
 JUDGES = {"core": ("core", "rtl"), "textured": ("core", "rtl"), "piped": ("core", "rtl"),
           "bench": ("bench", "rtl"), "case": ("case", "rtl"), "top": ("top", "rtl"),
           "hard": ("hard", "model"), "test": ("test", "model"), "naive": ("agree", "model"),
-          "agree": ("agree", "model rtl"), "proof": ("proof", ""), "reset": ("reset", "rtl")}
+          "agree": ("agree", "model rtl"), "proof": ("proof", ""), "reset": ("reset", "rtl"),
+          "crossings": ("crossings", "rtl")}
 GROUPS = tuple(dict.fromkeys(group for group, _ in JUDGES.values()))
 
 
@@ -166,6 +169,7 @@ class Reader:
             "proof": proofs(),
             "test": {os.path.basename(n)[:-2] for n in glob.glob("tests/*/test_*.c")},
             "reset": {os.path.basename(n)[:-2] for n in glob.glob("rtl/*/*.v")},
+            "crossings": crossings.TOPS,
             "cases": named_cases()}
 
     def say(self, file, line, what):

@@ -292,6 +292,7 @@ module rt_build #(
     wire          wrote = wr_valid_o && wr_ready_i;
     assign head_take  = wrote && !put_records_q;
 
+    integer n;
     always @(posedge clk) begin
         id_b_q    <= id_b;
         a_place_q <= a_place;
@@ -313,7 +314,8 @@ module rt_build #(
         if (busy_o && wr_error_i) error_o[3] <= 1'b1;
 
         if (takes && !whole) begin
-            children_q[56*slot_q +: 56] <= done_child;
+            for (n = 0; n < 4; n = n + 1)
+                if (slot_q == n[1:0]) children_q[56*n +: 56] <= done_child;
             slot_q     <= slot_q + 1'b1;
             put_node_q <= done_kind[0];
             if (done_kind[1]) begin

@@ -12,59 +12,38 @@ extern "C" {
 
 #ifdef SCRIPTED
 static void scripted(Checks &c, const Golden &any);
+namespace {
+void environment(Checks &c, const Golden &a, const Golden &b);
+}
 #endif
 
 /* Every bit of every setting, each by itself; a reset gives all what they had. */
 static void settings(Checks &c) {
-    static const struct {
-        uint32_t at, kept;
-    } all[] = {{SPHAERA_BUILD_COUNT, SPHAERA_BUILD_COUNT_SPHERES},
-               {SPHAERA_BUILD_RECORDS, SPHAERA_BUILD_RECORDS_LINE},
-               {SPHAERA_BUILD_TREE0, SPHAERA_BUILD_TREE0_LINE},
-               {SPHAERA_BUILD_TREE1, SPHAERA_BUILD_TREE1_LINE},
-               {SPHAERA_BUILD_LINES, SPHAERA_BUILD_LINES_LINES},
-               {SPHAERA_BUILD_MODE, SPHAERA_BUILD_MODE_ORDER | SPHAERA_BUILD_MODE_ROOT},
-               {SPHAERA_INTERRUPT_ENABLE, c.builds() ? 0x1fu : 0xf},
-               {SPHAERA_WATCHDOG, 0xffffffff},
-               {0x040, 0xfffff000},
-               {0x044, 0xffffffc0},
-               {0x048, 0xffffffc0},
-               {0x04c, 0xffffffc0},
-               {0x050, 0xffe0},
-               {0x054, 1},
-               {0x058, 3},
-               {0x05c, 1},
-               {0x060, 0xf},
-               {0x064, 0x1fff1fff},
-               {0x068, 0x1fff1fff},
-               {0x06c, 0x1fff1fff},
-               {0x070, 0x1fff1fff},
-               /* so are the last ones */
-               {ADDR > 32 ? 0x078u : 0x074u, ADDR > 32 ? 0xffffffff : 0xffffffc0},
-               {0x074, 0xffffffc0}};
     TopHost &t = c.top;
-    const size_t none = c.builds() ? 0 : 6; /* the first ones are there by a parameter, */
-    const size_t count = std::size(all) - none - (ADDR > 32 ? !c.layers : 1 + !c.layers);
-    uint32_t first[std::size(all)], copy[std::size(all)];
+    std::vector<Setting> all;
+    for (const auto &[at, setting] : settings_of())
+        all.push_back(setting);
+    const size_t count = all.size();
+    std::vector<uint32_t> copy(count);
     t.stall = 40;
     t.reset();
     for (size_t i = 0; i < count; i++)
-        first[i] = copy[i] = t.read(all[none + i].at);
+        c.equals("setting behind a reset", t.read(all[i].at), copy[i] = all[i].reset);
     for (int n = 0; n < 200; n++) {
         const size_t at = (size_t)t.random.below((uint32_t)count);
         const uint32_t value = (uint32_t)t.random.next();
         const unsigned strobe = (unsigned)t.random.below(16);
-        t.write(all[none + at].at, value, strobe);
+        t.write(all[at].at, value, strobe);
         for (int b = 0; b < 4; b++)
             if (strobe >> b & 1) copy[at] = (copy[at] & ~(255u << 8 * b)) | (value & 255u << 8 * b);
-        copy[at] &= all[none + at].kept;
-        c.equals("setting", t.read(all[none + at].at), copy[at]);
+        copy[at] &= all[at].kept;
+        c.equals("setting", t.read(all[at].at), copy[at]);
         const size_t other = (size_t)t.random.below((uint32_t)count);
-        c.equals("another setting", t.read(all[none + other].at), copy[other]);
+        c.equals("another setting", t.read(all[other].at), copy[other]);
     }
     t.reset();
     for (size_t i = 0; i < count; i++)
-        c.equals("setting after a reset", t.read(all[none + i].at), first[i]);
+        c.equals("setting after a reset", t.read(all[i].at), all[i].reset);
     t.stall = 0;
     c.done("settings: each bit, strobes, reset");
 }
@@ -77,7 +56,7 @@ static void fixed(Checks &c, const Golden &a) {
         {SPHAERA_VERSION, SPHAERA_VERSION_RESET},
         {SPHAERA_CORE_PROFILE, (uint32_t)a.machine.regs[SPH_REG_PROFILE]},
         {SPHAERA_CORE_EFFECTS, t.driver.effects},
-        {SPHAERA_CORE_PARTS, t.driver.parts},
+        {SPHAERA_CORE_PARTS, View::built(SPHAERA_CORE_PARTS)},
         {SPHAERA_CORE_BUS, DATA | SPHAERA_CORE_BUS_VIDEO |
                                (c.layers ? SPHAERA_CORE_BUS_LAYERS : 0) |
                                (uint32_t)ADDR << SPHAERA_CORE_BUS_ADDR_LSB |
@@ -312,9 +291,8 @@ static void store(Checks &c, const Golden &a) {
         unsigned newest = c.newest();
         if (i % 2) { /* by the port: then TAKE would show the same again */
             t.clocks(4);
-            t.dut.take_i = 1;
+            t.take_in = 1;
             t.clock();
-            t.dut.take_i = 0;
             shown = (t.read(SPHAERA_STATUS) & SPHAERA_STATUS_SHOWN) >> SPHAERA_STATUS_SHOWN_LSB;
         } else {
             c.equals("take", (uint64_t)sphaera_take(&t.driver, &shown), SPHAERA_OK);
@@ -407,6 +385,7 @@ int main(int argc, char **argv) {
     if (c->layers && c->top.driver.built & SPHAERA_CORE_BUS_VIDEO) display_layers(*c, a);
 #ifdef SCRIPTED
     scripted(*c, b);
+    environment(*c, a, b);
 #endif
     return c->finish();
 }

@@ -284,7 +284,9 @@ static void built_frames(Checks &c, const Golden &a) {
     const uint32_t frames = t.read(SPHAERA_FRAME_COUNT);
     t.write(SPHAERA_BUILD_COUNT, 0xffffff);
     sphaera_build(&t.driver, 1);
-    sphaera_build_wait(&t.driver, POLLS);
+    c.equals("too many", (uint64_t)sphaera_build_wait(&t.driver, POLLS), SPHAERA_NOT_BUILT);
+    t.clocks(300);
+    c.equals("no frame of it", t.read(SPHAERA_STATUS) & SPHAERA_STATUS_BUSY, 0);
     t.write(SPHAERA_BUILD_COUNT, n);
     sphaera_build(&t.driver, 1);
     sphaera_stop(&t.driver);
