@@ -102,7 +102,7 @@ module rt_builder #(
         .req_line_o(req_line), .rsp_valid_i(line_valid), .rsp_data_i(line),
         .rsp_error_i(line_error), .wr_valid_o(wr_valid), .wr_ready_i(wr_ready),
         .wr_line_o(wr_line), .wr_data_o(wr_data), .wr_idle_i(write_idle),
-        .wr_error_i(write_slverr || write_decerr)
+        .wr_error_i(write_slverr || write_decerr), .rounds_i(2'd0)
     );
     assign written_o = {{(32-LB){1'b0}}, written};
 
