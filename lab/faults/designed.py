@@ -93,6 +93,8 @@ class Core(Whole, benches.Core):
 
 
 class Top(Whole, benches.Shell):
+    seen = ("+define+TOP_VIEW", "-Iformal", "tb/top/rt_top_rules.sv")
+
     def __init__(self, build, layers=0):
         super().__init__(build)
         self.parameters.append(f"LAYERS={layers}".split("="))
