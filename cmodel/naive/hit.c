@@ -33,6 +33,8 @@ static struct sph_naive_prim prim_read(const struct sph_machine *m, int32_t inde
     p.ks = sph_field(line, SPH_PRIM_KS_LSB, SPH_PRIM_KS_BITS);
     p.power = sph_field(line, SPH_PRIM_POWER_LSB, SPH_PRIM_POWER_BITS);
     p.index = sph_field(line, SPH_PRIM_INDEX_LSB, SPH_PRIM_INDEX_BITS);
+    p.tex = sph_field(line, SPH_PRIM_TEX_LSB, SPH_PRIM_TEX_BITS);
+    p.bend = on(m, SPH_EFFECT_SPREAD) ? sph_field(line, SPH_PRIM_BEND_LSB, SPH_PRIM_BEND_BITS) : 0;
     p.facet = on(m, SPH_EFFECT_FACETS) && index >= m->regs[SPH_REG_N_SPHERES];
     p.smooth = p.facet && on(m, SPH_EFFECT_SMOOTH) ? (uint32_t)p.sphere.rad : 0;
     return p;

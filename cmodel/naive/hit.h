@@ -12,6 +12,7 @@ struct sph_naive_prim {
     uint32_t smooth; /* 1 + number of the record of its normals */
     uint32_t rgb[3], kr;
     uint32_t kt, ka, kd, ks, power, index; /* as they stand in the record */
+    uint32_t tex, bend;                    /* too */
     int sum;
 };
 

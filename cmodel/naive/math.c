@@ -75,34 +75,43 @@ void sph_naive_normalise(mpz_t v[3], int bits, int64_t out[3]) {
     }
 }
 
-void sph_naive_unit(const int64_t v[3], int bits, int64_t u[3]) {
+uint64_t sph_naive_inverse_length(const int64_t v[3], int bits, int *h) {
     mpz_t length2, bound;
+    uint64_t y = 0;
     mpz_inits(length2, bound, NULL);
     for (int i = 0; i < 3; i++) {
         mpz_set_si(bound, v[i]);
         mpz_addmul(length2, bound, bound);
-        u[i] = 0;
     }
+    *h = 0;
     if (mpz_sgn(length2)) {
-        int h = 0; /* the least that brings |v| * 2^h to 2^(bits-1) */
         mpz_set_ui(bound, 1);
         mpz_mul_2exp(bound, bound, (mp_bitcnt_t)(2 * bits - 2));
         while (mpz_cmp(length2, bound) < 0) {
             mpz_mul_2exp(length2, length2, 2);
-            h++;
+            ++*h;
         }
         mpz_fdiv_q_2exp(length2, length2, (mp_bitcnt_t)(2 * bits - 18));
         uint64_t x = mpz_get_ui(length2), line = x / 1024 - 64;
-        uint64_t drop = sph_rsqrt_table[line].slope * (x % 1024) / 1024;
-        for (int i = 0; i < 3; i++) {
-            mpz_set_si(bound, v[i]);
-            mpz_mul_2exp(bound, bound, (mp_bitcnt_t)h);
-            mpz_mul_ui(bound, bound, sph_rsqrt_table[line].start - drop);
-            sph_naive_round(bound, bits);
-            u[i] = mpz_get_si(bound);
-        }
+        y = sph_rsqrt_table[line].start - sph_rsqrt_table[line].slope * (x % 1024) / 1024;
     }
     mpz_clears(length2, bound, NULL);
+    return y;
+}
+
+void sph_naive_unit(const int64_t v[3], int bits, int64_t u[3]) {
+    int h;
+    uint64_t y = sph_naive_inverse_length(v, bits, &h);
+    mpz_t x;
+    mpz_init(x);
+    for (int i = 0; i < 3; i++) {
+        mpz_set_si(x, v[i]);
+        mpz_mul_2exp(x, x, (mp_bitcnt_t)h);
+        mpz_mul_ui(x, x, y);
+        sph_naive_round(x, bits);
+        u[i] = mpz_get_si(x);
+    }
+    mpz_clear(x);
 }
 
 /* ---- optics ---- */

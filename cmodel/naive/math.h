@@ -26,6 +26,10 @@ long sph_naive_quotient(uint64_t key, uint64_t a, int pq, uint64_t *mant);
  * up and are limited. Components that are all 0 or -1 have no length and stay as they are. */
 void sph_naive_normalise(mpz_t v[3], int bits, int64_t out[3]);
 
+/* About 2^(bits + 16 - *h) / |v| by the machine's table of inverse square roots, 0 if |v| is 0; *h
+ * is the least for which |v| * 2^h is 2^(bits - 1) or more. v: s(bits). */
+uint64_t sph_naive_inverse_length(const int64_t v[3], int bits, int *h);
+
 /* v / |v| as s1.16 with the machine's table of inverse square roots; v: s(bits). */
 void sph_naive_unit(const int64_t v[3], int bits, int64_t u[3]);
 

@@ -10,6 +10,7 @@
 
 #include "naive/hit.h"
 #include "naive/math.h"
+#include "naive/texture.h"
 
 /* ---- background separation by definition; see naive.h ---- */
 
@@ -127,22 +128,24 @@ static int64_t lit(int64_t byte, int64_t light) {
     return min(sph_naive_round64(byte * min(light, 131071), 7), 255 * 256);
 }
 
+/* texel: what the surface's own colour is multiplied by. */
 static void shade(const struct sph_machine *m, const struct sph_ray *ray,
-                  const struct sph_naive_found *f, const struct sph_naive_point *s,
+                  const struct sph_naive_found *f, const struct sph_naive_point *s, uint32_t texel,
                   int64_t colour[3]) {
     const struct sph_naive_prim *prim = &f->prim;
     int64_t matt[3] = {0}, gloss[3] = {0};
     light(m, ray, f, s, matt, gloss);
     for (int i = 0; i < 3; i++) {
         int64_t ambient = m->regs[SPH_REG_AMBIENT_R + i];
+        int64_t rgb = (2 * prim->rgb[i] * (texel >> 8 * i & 255) + 255) / 510; /* to nearest */
         if (!sums(m, prim)) {
-            colour[i] = lit(prim->rgb[i], ambient + matt[i]);
+            colour[i] = lit(rgb, ambient + matt[i]);
             continue;
         }
         int64_t both = sph_naive_round64(prim->ka * ambient, 8) +
                        sph_naive_round64(prim->kd * min(matt[i], 131071), 8);
         int64_t shine = on(m, SPH_EFFECT_SPECULAR) ? lit(prim->ks, gloss[i]) : 0;
-        colour[i] = min(lit(prim->rgb[i], both) + shine, 255 * 256);
+        colour[i] = min(lit(rgb, both) + shine, 255 * 256);
     }
 }
 
@@ -172,15 +175,17 @@ static int buried(const struct sph_machine *m, const struct sph_ray *ray) {
     return sph_naive_within(m, &next, f.prim.sphere.id);
 }
 
-/* The three frames of a pixel, u8.8 a channel; limited when they are read. */
+/* What is gathered for a pixel: the three frames, u8.8 a channel, limited when they are read, and
+ * the frame's word of textures. */
 struct frames {
     int64_t sum[SPH_FRAMES][3];
+    uint32_t texture;
 };
 
-/* Adds all that a ray with this weight sees, f being what it hits. */
+/* Adds all that a ray with this weight sees, f being what it hits, path what lies behind it. */
 static void follow(const struct sph_machine *m, const struct sph_ray *ray,
                    const struct sph_naive_found *f, int64_t weight, int depth,
-                   struct frames *frames) {
+                   struct sph_naive_path path, struct frames *frames) {
     const struct sph_profile *p = sph_machine_profile(m);
     const struct sph_naive_prim *prim = &f->prim;
     struct sph_naive_point s = {{0}, {0}, {0}, {0}, {0}, 0, {0}};
@@ -188,7 +193,8 @@ static void follow(const struct sph_machine *m, const struct sph_ray *ray,
     int64_t colour[3], kr = 0, kt = 0;
     if (f->how.hit) {
         s = sph_naive_point_of(m, ray, f);
-        shade(m, ray, f, &s, colour);
+        sph_naive_path_add(m, ray, f->how.key, &path);
+        shade(m, ray, f, &s, sph_naive_texel(m, f, &s, path.length, &frames->texture), colour);
         if (depth < m->regs[SPH_REG_MAX_DEPTH]) {
             kr = on(m, SPH_EFFECT_REFLECT) ? prim->kr : 0;
             kt = on(m, SPH_EFFECT_REFRACT) ? prim->kt : 0;
@@ -226,7 +232,10 @@ static void follow(const struct sph_machine *m, const struct sph_ray *ray,
         int64_t k = i ? kt : kr;
         if (!k) continue;
         struct sph_naive_found next = sph_naive_trace(m, i ? &bent : &mirror);
-        follow(m, i ? &bent : &mirror, &next, sph_naive_round64(weight * k, 8), depth + 1, frames);
+        path.bend = prim->bend;
+        if (i && prim->bend) path.bend = f->how.far ? (prim->bend + 4) % 64 : 0;
+        follow(m, i ? &bent : &mirror, &next, sph_naive_round64(weight * k, 8), depth + 1, path,
+               frames);
     }
 }
 
@@ -247,7 +256,7 @@ static void direction(const struct sph_machine *m, int x, int y, int64_t dir[3])
 struct sph_pixel sph_naive_pixel(const struct sph_machine *m, int x, int y) {
     const int32_t *r = m->regs;
     struct sph_pixel pixel = {.id = SPH_ID_NONE, .texture = SPH_NO_TEXTURE};
-    struct frames frames = {{{0}}};
+    struct frames frames = {.texture = SPH_NO_TEXTURE};
     struct sph_naive_found f = {0};
     struct sph_ray ray = {.org = {r[SPH_REG_EYE_X], r[SPH_REG_EYE_Y], r[SPH_REG_EYE_Z]},
                           .kind = SPH_PRIMARY,
@@ -258,7 +267,8 @@ struct sph_pixel sph_naive_pixel(const struct sph_machine *m, int x, int y) {
     if (!sph_naive_background(m, x, y))
         f = first ? sph_naive_first(m, &ray, (uint32_t)r[SPH_REG_ROOT]) : sph_naive_trace(m, &ray);
     if (f.how.hit) pixel.id = f.prim.sphere.id, pixel.key = f.how.key;
-    follow(m, &ray, &f, 65536, 0, &frames);
+    follow(m, &ray, &f, 65536, 0, (struct sph_naive_path){0, 0, 0}, &frames);
+    pixel.texture = frames.texture;
     for (int frame = 0; frame < SPH_FRAMES; frame++)
         for (int i = 0; i < 3; i++) {
             int64_t byte = sph_naive_round64(min(frames.sum[frame][i], 65535), 8);

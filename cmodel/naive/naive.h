@@ -43,8 +43,9 @@ struct sph_facet_leaf sph_naive_facet_read(const uint32_t *line);
 /* 1 if pixel x, y is left out by the background separation of BG_MODE. */
 int sph_naive_background(const struct sph_machine *m, int x, int y);
 
-/* The colours, id and key of pixel x, y; visits stays 0. The machine must be well formed. Its tree
- * is read for effect FIRST alone, and of it no bounding sphere: what they leave out is not hit. */
+/* The colours, id, key and word of textures of pixel x, y; visits stays 0. The machine must be well
+ * formed. Its tree is read for effect FIRST alone, and of it no bounding sphere: what they leave
+ * out is not hit. */
 struct sph_pixel sph_naive_pixel(const struct sph_machine *m, int x, int y);
 
 /* 1 if the machine lacks what another camera than its own would show, and has another: every bit of

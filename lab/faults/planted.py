@@ -234,13 +234,12 @@ class Planting:
         return told_core(rc, text)
 
     def by_top(self, judge):
-        data, layers = (*judge.words, "64", "0")[:2] if len(judge.words) != 1 else (
-            judge.words[0], "0")
+        data, layers, trees = (*judge.words, *("64", "0", "0")[len(judge.words):])
         core, machines = self.shop.top
         make = ["make", "-s", "--no-print-directory", "-f", "make/rt_top.mk",
                 f"B={self.simulation()}", f"RTL={self.tree(judge, 'rtl')}/rtl", f"DATA={data}",
-                f"LAYERS={layers}", f"CORE={core}", f"MACHINES={machines}", "BENCH=tb_shell",
-                "SEED=1"]
+                f"LAYERS={layers}", f"TREES={trees}", f"CORE={core}", f"MACHINES={machines}",
+                "BENCH=tb_shell", "SEED=1"]
         self.shop.must([*make, "top"], self.say)
         rc, text = self.shop.run([*make, "run"], self.say)
         if rc and re.search("^not ok", text, re.M) and not CRASH.search(text):
@@ -306,11 +305,13 @@ class Planting:
 
     def by_naive(self, judge):
         """The naive model's picture of the scene of `agree`, beside that of a faulty model."""
-        machine, _ = self.machine(self.record.agree() if self.record else judge, "--size", "12x9")
+        machine, words = self.machine(self.record.agree() if self.record else judge, "--size",
+                                      "12x9")
+        pokes = [word for word in words if word.startswith("--poke=")]
         naive = self.once("naive", lambda: self.linked(
             "naive", [f"{self.shop.build}/test/obj/tests/reference/naive_frame.o",
                       *self.objects(judge)]))
-        rc, text = self.shop.run([naive, machine], self.say)
+        rc, text = self.shop.run([naive, *pokes, machine], self.say)
         return {0: ("passed", ""), 1: ("noticed", "a pixel of the naive model")}.get(
             rc, ("broken", f"ends with {rc}" + text[:0]))
 

@@ -1,13 +1,13 @@
 /* check_texture.c - coordinates, texels and levels of images; see check.h
  * SPDX-License-Identifier: Apache-2.0
  *
- * The naive model is of this file alone: the definitions of docs/design/textures.md,
- * with angles and logarithms by the library instead of tables.
+ * The naive model of texels is of this file alone: the definitions of docs/design/textures.md.
  */
 #include <math.h>
 #include <stdlib.h>
 
 #include "check.h"
+#include "naive/texture.h"
 #include "texture/coords.h"
 #include "texture/texel.h"
 #include "texture/lod.h"
@@ -18,29 +18,6 @@ static int64_t floor_of(int64_t x, int64_t by) {
 
 /* ---- longitude ---- */
 
-/* One rotation of 18 steps: the angle, in 2^-24 turns; *x grows to the length. */
-static int64_t rotated(int64_t *x, int64_t y) {
-    int64_t sum = 0;
-    for (int i = 0; i < 18; i++) {
-        int64_t sign = y >= 0 ? 1 : -1, dx = floor_of(y, 1ll << i), dy = floor_of(*x, 1ll << i);
-        *x += sign * dx;
-        y -= sign * dy;
-        sum += sign * llround(ldexp(atan(ldexp(1, -i)), 24) / (2 * M_PI));
-    }
-    return sum;
-}
-
-static struct sph_longitude naive_longitude(const int64_t v[3]) {
-    int64_t sign = v[2] < 0 ? -1 : 1, z = 64 * sign * v[2], x = 64 * sign * v[0], turn = 1 << 24;
-    int64_t around = v[2] < 0 ? 0 : turn / 2, down = turn / 4;
-    int64_t y = floor_of(v[1] * 107922 + 512, 1024); /* 107922: what 18 steps multiply by */
-    if (x || z) around += rotated(&z, x);
-    if (z || y) down -= rotated(&z, y);
-    down = down < 0 ? 0 : down > turn / 2 ? turn / 2 : down;
-    around = floor_of(around + 32, 64) & ((1 << 18) - 1);
-    return (struct sph_longitude){(uint32_t)around, (uint32_t)floor_of(down + 32, 64)};
-}
-
 /* Steps of 2^-18 turns between two angles, the shorter way. */
 static double apart(long double a, long double b) {
     long double off = fabsl(a - b);
@@ -50,7 +27,7 @@ static double apart(long double a, long double b) {
 void check_around(struct job *j) {
     const int64_t *c = j->c->v;
     const int32_t v[3] = {(int32_t)c[0], (int32_t)c[1], (int32_t)c[2]};
-    struct sph_longitude r = sph_longitude(v), same = naive_longitude(c);
+    struct sph_longitude r = sph_longitude(v), same = sph_naive_longitude(c);
     struct hard_column *column = j->t->column;
     const long double steps = 0x1p18L / (2 * acosl(-1.0L));
     long double rho = hypotl((long double)v[0], (long double)v[2]);
@@ -132,20 +109,13 @@ void check_texels(struct job *j) {
 
 /* ---- levels ---- */
 
-/* round(256 log2 x) of x rounded half up to nine bits. */
-static int64_t naive_log2(uint32_t x) {
-    int top = 31 - __builtin_clz(x);
-    int64_t nine = (int64_t)floorl(ldexpl((long double)x, 8 - top) + 0.5L);
-    return 256ll * top + llroundl(256 * log2l((long double)nine / 256));
-}
-
 void check_levels(struct job *j) {
     uint32_t path = j->c->level.path;
     int32_t base = j->c->level.base;
     int levels = j->c->level.levels;
     int64_t got = sph_lod(path, base, levels), last = (levels - 1) * 256, lod = 0;
     j->t->naive++;
-    if (path) lod = naive_log2(path) - 1024 - base;
+    if (path) lod = sph_naive_log2(path) - 1024 - base;
     if (got != (lod < 0 ? 0 : lod > last ? last : lod)) job_wrong(j, HARD_NAIVE, "level");
     if (path < UINT32_MAX && sph_lod(path + 1, base, levels) < got)
         job_wrong(j, HARD_TEXTURE, "a longer path has a lower level");

@@ -184,8 +184,26 @@ static void touch_cut(struct named *n) {
     }
 }
 
+/* The filter takes a node that begins just where the hit lies, and none that begins behind it. */
+static void touch_depth(struct named *n) {
+    for (int side = -1; side <= 1; side += 2)
+        for (int32_t rad = SPH_FILTER_MARGIN; rad < 1 << (n->p->fw - 3); rad = 3 * rad + 1) {
+            struct hard_case c = vector(V3(-side * n->half / 2, 0, 0), V3(side * n->most, 0, 0),
+                                        V3(side * n->half / 4, 0, 0), 1);
+            struct sph_child child = {{side * rad, 0, 0}, rad};
+            int32_t near, begin = 1 << (n->p->fw - 2); /* half / 2 in the filter's units */
+            sph_ray_setup(n->p, &c.ray);
+            require(n, sph_filter(&c.ray, &child, begin, &near),
+                    "a node as deep as the hit is left");
+            require(n, near == begin, "a node begins at %d in place of %d", near, begin);
+            require(n, !sph_filter(&c.ray, &child, begin - 1, &near), "a node behind is taken");
+            n->vectors++;
+        }
+}
+
 void named_node_radius(struct named *n) {
     touch_cut(n);
+    touch_depth(n);
     int64_t unit = 1ll << (n->p->w - n->p->fw);
     for (int64_t rad = 1; rad < 1ll << (n->p->fw - 2); rad = 3 * rad + 1)
         touch_node(n, rad);

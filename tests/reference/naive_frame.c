@@ -1,11 +1,11 @@
 /* naive_frame.c - the picture of a machine, drawn by the naive model and by the golden one
  * SPDX-License-Identifier: Apache-2.0
  *
- * usage: naive-frame [--golden] FILE.sph...
+ * usage: naive-frame [--golden] [--poke=LINE:LSB:WIDTH=VALUE]... FILE.sph...
  *
  * Prints `FILE HASH`, the hash of the naive model's picture as `sphaera render` has it for the
- * golden one. Exit code 1: some pixel of the golden model has other colours, id or key; the first
- * is shown. With --golden only the golden model draws.
+ * golden one. Exit code 1: some pixel of the golden model has other colours, id, key or texels; the
+ * first is shown. With --golden only the golden model draws. --poke is that of sim/core.sh.
  */
 #include <inttypes.h>
 #include <stdio.h>
@@ -17,13 +17,41 @@
 #include "validate/validate.h"
 
 static int differ(const struct sph_pixel *a, const struct sph_pixel *b) {
-    return a->id != b->id || a->key != b->key || memcmp(a->colour, b->colour, sizeof a->colour);
+    return a->id != b->id || a->key != b->key || a->texture != b->texture ||
+           memcmp(a->colour, b->colour, sizeof a->colour);
 }
 
 static void show(const char *who, const struct sph_pixel *p) {
     printf("  %s: id %" PRIu32 " key %" PRIu64 " colours %06" PRIx32 " %06" PRIx32 " %06" PRIx32
-           "\n",
-           who, p->id, p->key, p->colour[0], p->colour[1], p->colour[2]);
+           " texture %08" PRIx32 "\n",
+           who, p->id, p->key, p->colour[0], p->colour[1], p->colour[2], p->texture);
+}
+
+enum { POKES = 8 };
+
+/* What overwrites the memory of the machines that are drawn. */
+static struct poke { unsigned line, lsb, width, value; } pokes[POKES];
+static int n_pokes;
+
+static int poke_read(const char *text) {
+    struct poke *p = &pokes[n_pokes];
+    int end = 0;
+    if (n_pokes == POKES ||
+        sscanf(text, "%u:%u:%u=%u%n", &p->line, &p->lsb, &p->width, &p->value, &end) != 4 ||
+        text[end] || p->width < 1 || p->width > 32 || p->lsb + p->width > 256)
+        return -1;
+    return n_pokes++;
+}
+
+static int poke(struct sph_machine *m, struct sph_error *err) {
+    for (int i = 0; i < n_pokes; i++) {
+        const struct poke *p = &pokes[i];
+        if (p->line >= m->lines)
+            return sph_fail(err, "--poke: there is no line %u of memory", p->line);
+        sph_field_set(m->mem + (size_t)SPH_LINE_WORDS * p->line, (int)p->lsb, (int)p->width,
+                      p->value);
+    }
+    return 0;
 }
 
 /* Pixels that differ, or -1. */
@@ -34,7 +62,7 @@ static int frame(const char *path, int golden_only, struct sph_error *err) {
     struct sph_frame golden, naive;
     int wrong = 0;
     if (sph_machine_read(path, &m, err)) return -1;
-    if (sph_render(&m, &options, &golden, &counters, err) < 0) {
+    if (poke(&m, err) || sph_render(&m, &options, &golden, &counters, err) < 0) {
         sph_machine_free(&m);
         return -1;
     }
@@ -58,8 +86,17 @@ static int frame(const char *path, int golden_only, struct sph_error *err) {
 }
 
 int main(int argc, char **argv) {
-    int only = argc > 1 && !strcmp(argv[1], "--golden"), bad = 0;
-    for (int i = 1 + only; i < argc; i++) {
+    int only = 0, bad = 0;
+    for (int i = 1; i < argc; i++) {
+        if (!strcmp(argv[i], "--golden")) {
+            only = 1;
+            continue;
+        }
+        if (!strncmp(argv[i], "--poke=", 7)) {
+            if (poke_read(argv[i] + 7) >= 0) continue;
+            fprintf(stderr, "naive-frame: %s: LINE:LSB:WIDTH=VALUE, at most %d\n", argv[i], POKES);
+            return 2;
+        }
         struct sph_error err = {{0}};
         int wrong = frame(argv[i], only, &err);
         if (wrong < 0) fprintf(stderr, "naive-frame: %s\n", err.text);
