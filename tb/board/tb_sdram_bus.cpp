@@ -88,6 +88,7 @@ class Rig {
     Counts reading_, writing_;
     bool still_ = false;           /* nobody begins to write */
     uint32_t at_ = 0;              /* the place before */
+    std::deque<uint32_t> recent_;  /* words that may still be in the queue */
     std::vector<uint32_t> unsure_; /* words of writes that a reset cut off */
     bench::Points &read_at_ = driven.alone("address of a read", 22);
     bench::Points &write_at_ = driven.alone("address of a write", 22);
@@ -104,7 +105,7 @@ class Rig {
         }
         dut.rst = dut.mem_rst = still_ = false;
     }
-    /* All is reset, and who asked gets no answer; what a write was answered for lies in memory. */
+    /* All is reset, and who asked gets no answer; words in the queue may not reach memory. */
     void restart() {
         dut.rst = dut.mem_rst = 1;
         unsigned events = 0;
@@ -115,6 +116,7 @@ class Rig {
         met_.clock(events | 1u << (READS + WRITES));
         for (const auto &[at, n] : writing_)
             if (n) unsure_.push_back(at);
+        unsure_.insert(unsure_.end(), recent_.begin(), recent_.end());
         for (Reader &r : readers_)
             r = Reader();
         for (Writer &w : writers_)
@@ -277,6 +279,8 @@ class Rig {
         if (aw && !next) me.address = false, me.answer = true;
         if (aw) write_at_.word(next ? me.next_at : me.at);
         if (w) {
+            recent_.push_back(me.at + me.sent & 0x3fffff);
+            if (recent_.size() > QUEUE + 4) recent_.pop_front();
             uint64_t &was = words_[me.at + me.sent & 0x3fffff];
             for (int k = 0; k < 8; k++) {
                 const uint64_t byte = me.strobe >> k & 1 ? 0xffull << 8 * k : 0;
