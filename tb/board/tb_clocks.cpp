@@ -71,6 +71,6 @@ int main(int argc, char **argv) {
         core.reset(dut.rst_o, b);
         mem.reset(dut.mem_rst_o, b);
     }
-    if (!driven.whole() && b.all_vectors) b.fail("the list of stimulus");
+    if (b.all_vectors && !b.mismatches && !driven.whole()) b.fail("the list of stimulus");
     return b.finish();
 }

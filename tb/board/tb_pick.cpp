@@ -209,6 +209,6 @@ int main(int argc, char **argv) {
         rig.clock();
     while (b.more())
         rig.vector();
-    if (!rig.driven.whole() && b.all_vectors) b.fail("the list of stimulus");
+    if (b.all_vectors && !b.mismatches && !rig.driven.whole()) b.fail("the list of stimulus");
     return b.finish();
 }

@@ -53,6 +53,6 @@ int main(int argc, char **argv) {
             if (since >= SYNC) b.expect("rst_o", b.dut.rst_o, since < SYNC + LASTS);
         }
     }
-    if (!driven.whole() && b.all_vectors) b.fail("the list of stimulus");
+    if (b.all_vectors && !b.mismatches && !driven.whole()) b.fail("the list of stimulus");
     return b.finish();
 }

@@ -318,7 +318,7 @@ int main(int argc, char **argv) {
         if (!bursts && b.all_vectors) b.fail("a reader waits");
     for (uint64_t bursts : rig.writes)
         if (!bursts && b.all_vectors) b.fail("a writer waits");
-    if (!rig.driven.whole() && b.all_vectors) b.fail("the list of stimulus");
+    if (b.all_vectors && !b.mismatches && !rig.driven.whole()) b.fail("the list of stimulus");
     printf("# the display's longest wait for a burst of up to %d words: %.1f us\n", DEPTH,
            (double)rig.longest / 1e6);
     return b.finish();

@@ -88,6 +88,6 @@ int main(int argc, char **argv) {
         lanes[i].bits = &driven.alone(("symbol of lane " + std::to_string(i)).c_str(), 10);
     for (unsigned phase = 0; phase < 5; phase++)
         run(b, lanes, phase, b.target * (phase + 1) / 5);
-    if (!driven.whole() && b.all_vectors) b.fail("the list of stimulus");
+    if (b.all_vectors && !b.mismatches && !driven.whole()) b.fail("the list of stimulus");
     return b.finish();
 }

@@ -313,7 +313,7 @@ int main(int argc, char **argv) {
         check.vector((Event)(i % EVENTS));
         b.done();
     }
-    if (!check.driven.whole() && b.all_vectors) b.fail("the list of stimulus");
+    if (b.all_vectors && !b.mismatches && !check.driven.whole()) b.fail("the list of stimulus");
     if (b.all_vectors && check.rig.store.depth != DEPTH - BURST + 1)
         b.fail("rows of a beat have not as many bursts on their way as the page says");
 #endif
