@@ -414,7 +414,7 @@ int main(int argc, char **argv) {
     Packets packets(board, b);
     packets.any(400);
     packets.silence();
-    if (!packets.driven.whole() && b.all_vectors) b.fail("the list of stimulus");
+    if (b.all_vectors && !b.mismatches && !packets.driven.whole()) b.fail("the list of stimulus");
     sph_machine_free(&machine);
     return b.finish();
 }
