@@ -49,7 +49,8 @@ campaign-c: $(campaign_suite:.o=.sanitized.o) $B/asan/libsphaera.a
 campaign-c: $(MODEL) $(campaign_suite) $B/test/hard ## faults in the model, and what notices them
 	@JOBS=$(JOBS) python3 -m lab mutants-c $B $(FAULTS) $(SEED) $(MINUTES) -- $(CC) $(CFLAGS)
 
-# Branches and bits that the benches of small modules meet.
-coverage: $(MODEL) $B/test/libhard.a ## branches and bits of small modules that their benches meet
-	@BENCH_BUILD=$B python3 -m lab benches --tools
+# What benches and frames meet of every module; a run that was ended goes on.
+coverage: $(TOOL) $B/test/libhard.a ## lines, branches and bits of the RTL that checks meet, merged
+	@mkdir -p $B/coverage
+	@BENCH_BUILD=$B python3 -m lab benches --tools && sh sim/core.sh --help >$B/coverage/log
 	$(Q)python3 -m lab coverage $B
