@@ -42,8 +42,9 @@ include make/variables.mk
 VARIABLES := $(shell sed -n 's/^\#\# \([A-Z_][A-Z_]*\) .*/\1/p' make/variables.mk)
 values = $(foreach v,$(1),$v=$(call quoted,$($v)))
 # What the command line or the environment has is checked, and whether goals have the programs
-# that they need.
-CHECK := $(strip $(foreach v,$(VARIABLES),$(if $(filter command environment,$(origin $v)),$v)))
+# that they need. In the environment BUILD is the folder of scripts and tests.
+CHECK := $(strip $(foreach v,$(VARIABLES),$(if $(filter command \
+             $(if $(filter-out BUILD,$v),environment),$(origin $v)),$v)))
 $(call as_text,$(CHECK))
 # All else that the environment has is text to whoever names it, and not what make makes of it.
 $(foreach v,$(filter-out $(VARIABLES) MAKE%,$(.VARIABLES)),$(if $(filter environment,$(origin $v)),\

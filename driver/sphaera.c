@@ -117,10 +117,54 @@ void sphaera_mux(struct sphaera *s, unsigned frame) {
     put(s, SPHAERA_MUX, frame & SPHAERA_MUX_FRAME);
 }
 
+/* Errors of a build, which says nothing of a frame. */
+#define BUILD_ERRORS                                                                               \
+    (SPHAERA_ERRORS_BUILD_MANY | SPHAERA_ERRORS_BUILD_ROOM | SPHAERA_ERRORS_BUILD_RECORD |         \
+     SPHAERA_ERRORS_BUILD_BUS | SPHAERA_ERRORS_BUILD_REFUSED)
+
+int sphaera_trees(struct sphaera *s, const struct sphaera_trees *trees) {
+    const uint32_t most = (s->built & SPHAERA_CORE_BUS_BUILD) >> SPHAERA_CORE_BUS_BUILD_LSB;
+    if (!most || (trees && trees->count > (uint32_t)1 << most)) return SPHAERA_NO_BUILDER;
+    put(s, SPHAERA_BUILD_MODE, trees ? SPHAERA_BUILD_MODE_ROOT : 0);
+    if (!trees) return SPHAERA_OK;
+    put(s, SPHAERA_BUILD_COUNT, trees->count);
+    put(s, SPHAERA_BUILD_RECORDS, trees->records);
+    put(s, SPHAERA_BUILD_TREE0, trees->tree[0]);
+    put(s, SPHAERA_BUILD_TREE1, trees->tree[1]);
+    put(s, SPHAERA_BUILD_LINES, trees->lines);
+    return SPHAERA_OK;
+}
+
+void sphaera_move(struct sphaera *s, const uint8_t *before, const uint8_t *after, uint32_t lines,
+                  uint64_t address, uint32_t *put_lines) {
+    for (uint32_t at = 0; lines--; at += SPHAERA_LINE_BYTES) {
+        uint32_t i = 0;
+        while (i < SPHAERA_LINE_BYTES && before[at + i] == after[at + i])
+            i++;
+        if (i == SPHAERA_LINE_BYTES) continue;
+        s->bus.put(s->bus.user, address + at, after + at, SPHAERA_LINE_BYTES);
+        ++*put_lines;
+    }
+}
+
+int sphaera_build(struct sphaera *s, int draw) {
+    if (!(s->built & SPHAERA_CORE_BUS_BUILD)) return SPHAERA_NO_BUILDER;
+    if (get(s, SPHAERA_STATUS) & (SPHAERA_STATUS_BUILDING | SPHAERA_STATUS_DRAINING))
+        return SPHAERA_BUSY;
+    put(s, SPHAERA_ERRORS, BUILD_ERRORS);
+    put(s, SPHAERA_CONTROL, SPHAERA_CONTROL_BUILD | (draw ? SPHAERA_CONTROL_START : 0));
+    return SPHAERA_OK;
+}
+
+int sphaera_build_wait(struct sphaera *s, uint32_t polls) {
+    if (until_clear(s, SPHAERA_STATUS_BUILDING, polls)) return SPHAERA_LATE;
+    return get(s, SPHAERA_ERRORS) & BUILD_ERRORS ? SPHAERA_NOT_BUILT : SPHAERA_OK;
+}
+
 int sphaera_start(struct sphaera *s, int keep_cache) {
     if (get(s, SPHAERA_STATUS) & (SPHAERA_STATUS_BUSY | SPHAERA_STATUS_DRAINING))
         return SPHAERA_BUSY;
-    sphaera_errors(s);
+    put(s, SPHAERA_ERRORS, ~BUILD_ERRORS);
     put(s, SPHAERA_CONTROL, SPHAERA_CONTROL_START | (keep_cache ? SPHAERA_CONTROL_KEEP_CACHE : 0));
     return SPHAERA_OK;
 }
@@ -136,7 +180,7 @@ int sphaera_reset(struct sphaera *s, int forget, uint32_t polls) {
 
 int sphaera_wait(struct sphaera *s, uint32_t polls) {
     if (until_clear(s, SPHAERA_STATUS_BUSY, polls)) return SPHAERA_LATE;
-    return get(s, SPHAERA_ERRORS) ? SPHAERA_FAILED : SPHAERA_OK;
+    return get(s, SPHAERA_ERRORS) & ~BUILD_ERRORS ? SPHAERA_FAILED : SPHAERA_OK;
 }
 
 void sphaera_interrupts(struct sphaera *s, uint32_t enabled) {
@@ -221,6 +265,8 @@ const char *sphaera_text(int result) {
         "the machine has another kind of tree than the core walks",
         "the core lacks the machine's rectangle, spans or cones of the background",
         "the core rounds away other bits of a texture's level than the machine asks for",
+        "the block builds no trees, or none of so many spheres",
+        "the tree had errors; the last good one stays",
     };
     size_t n = sizeof words / sizeof *words;
     return result >= 0 && (size_t)result < n ? words[result] : "no such result";

@@ -36,7 +36,9 @@ enum sphaera_result {
     SPHAERA_TOO_MANY_LIGHTS,
     SPHAERA_OTHER_TREE,    /* it has nodes, a BIH or boxes, and the core walks another of them */
     SPHAERA_NO_BACKGROUND, /* the core lacks its rectangle, spans or cones of the background */
-    SPHAERA_OTHER_LEVELS   /* the core rounds away other bits of a texture's level */
+    SPHAERA_OTHER_LEVELS,  /* the core rounds away other bits of a texture's level */
+    SPHAERA_NO_BUILDER,    /* the block was built without BUILD, or for fewer spheres */
+    SPHAERA_NOT_BUILT      /* the tree had errors: sphaera_errors(); the last good one stays */
 };
 
 /* How the registers and the memory of the block are reached. Offsets are bytes, as in
@@ -95,6 +97,33 @@ int sphaera_layers(struct sphaera *s, uint32_t bytes);
  * stored from the next start on; with layers they are shown from the next blanking or
  * sphaera_take() on. */
 void sphaera_mux(struct sphaera *s, unsigned frame);
+
+/* Where a block with BUILD finds the spheres, and where it puts trees: lines behind SCENE_BASE. The
+ * two places have `lines` each, two for a sphere; machines that were built with tree `hw` have one
+ * of them in front of their records, from line 0 on. */
+struct sphaera_trees {
+    uint32_t count;   /* spheres */
+    uint32_t records; /* line of the primitive record of sphere 0 */
+    uint32_t tree[2]; /* lines of the roots */
+    uint32_t lines;
+};
+
+/* These count from the next BUILD on, and frames read the newest tree from the next START on;
+ * NULL: they read that of register ROOT again. SPHAERA_NO_BUILDER if there is no builder, or none
+ * for so many spheres. */
+int sphaera_trees(struct sphaera *s, const struct sphaera_trees *trees);
+
+/* Puts the lines of `after` that are not those of `before` to where both lie from `address` on, and
+ * counts them in *put. Of primitive records these are the ones that moved. */
+void sphaera_move(struct sphaera *s, const uint8_t *before, const uint8_t *after, uint32_t lines,
+                  uint64_t address, uint32_t *put);
+
+/* Builds a tree, also while a frame is drawn, whose own tree stays: one that lies where this would
+ * go is waited for. draw: a frame is begun when it is built, and the frame before it is over. */
+int sphaera_build(struct sphaera *s, int draw);
+
+/* Waits for the end of the build: SPHAERA_OK, SPHAERA_NOT_BUILT, SPHAERA_LATE. */
+int sphaera_build_wait(struct sphaera *s, uint32_t polls);
 
 /* Begins a frame; keep_cache: memory did not change since the last one. */
 int sphaera_start(struct sphaera *s, int keep_cache);

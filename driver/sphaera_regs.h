@@ -42,6 +42,8 @@
 #define SPHAERA_CORE_BUS_LAYERS 0x00000200u /* frames have three layers, Rendering, L1 and L2 */
 #define SPHAERA_CORE_BUS_ADDR_LSB 10u
 #define SPHAERA_CORE_BUS_ADDR 0x0000fc00u /* bits of an address of the AXI4 masters, 32 to 40 */
+#define SPHAERA_CORE_BUS_BUILD_LSB 16u
+#define SPHAERA_CORE_BUS_BUILD 0x001f0000u /* it builds trees of up to 2^n spheres, 0: none */
 #define SPHAERA_CONTROL 0x020u /* wo: each one written is an order */
 #define SPHAERA_CONTROL_RESET 0x00000000u
 #define SPHAERA_CONTROL_START_LSB 0u
@@ -58,6 +60,8 @@
 #define SPHAERA_CONTROL_SNAPSHOT 0x00000020u /* copy all counters to where they are read */
 #define SPHAERA_CONTROL_TAKE_LSB 6u
 #define SPHAERA_CONTROL_TAKE 0x00000040u /* take the newest frame to show, as video does at its blanking */
+#define SPHAERA_CONTROL_BUILD_LSB 7u
+#define SPHAERA_CONTROL_BUILD 0x00000080u /* build a tree of the records; with START: then draw, if it was built */
 #define SPHAERA_STATUS 0x024u /* ro: what the block does */
 #define SPHAERA_STATUS_RESET 0x00000000u
 #define SPHAERA_STATUS_BUSY_LSB 0u
@@ -76,6 +80,12 @@
 #define SPHAERA_STATUS_SHOWN 0x00000300u /* of the frame that is shown */
 #define SPHAERA_STATUS_WAITING_LSB 10u
 #define SPHAERA_STATUS_WAITING 0x00000400u /* the next frame waits until the newest is shown */
+#define SPHAERA_STATUS_BUILDING_LSB 11u
+#define SPHAERA_STATUS_BUILDING 0x00000800u /* a tree is built, or waits for the frame that reads its place */
+#define SPHAERA_STATUS_TREE_VALID_LSB 12u
+#define SPHAERA_STATUS_TREE_VALID 0x00001000u /* a tree is complete */
+#define SPHAERA_STATUS_TREE_LSB 13u
+#define SPHAERA_STATUS_TREE 0x00002000u /* in which place the newest complete one is */
 #define SPHAERA_FRAME_COUNT 0x028u /* ro: frames complete */
 #define SPHAERA_FRAME_COUNT_RESET 0x00000000u
 #define SPHAERA_ERRORS 0x02cu /* w1c: sticky errors, those of the core first */
@@ -110,6 +120,16 @@
 #define SPHAERA_ERRORS_REFUSED 0x00004000u /* START came while a frame was drawn or drained, and did nothing */
 #define SPHAERA_ERRORS_SCAN_WATCHDOG_LSB 15u
 #define SPHAERA_ERRORS_SCAN_WATCHDOG 0x00008000u /* the bus of the display did nothing for WATCHDOG clocks */
+#define SPHAERA_ERRORS_BUILD_MANY_LSB 16u
+#define SPHAERA_ERRORS_BUILD_MANY 0x00010000u /* more spheres than BUILD, no tree was built */
+#define SPHAERA_ERRORS_BUILD_ROOM_LSB 17u
+#define SPHAERA_ERRORS_BUILD_ROOM 0x00020000u /* fewer lines than two a sphere, no tree was built */
+#define SPHAERA_ERRORS_BUILD_RECORD_LSB 18u
+#define SPHAERA_ERRORS_BUILD_RECORD 0x00040000u /* a record is no sphere of the profile, no tree was built */
+#define SPHAERA_ERRORS_BUILD_BUS_LSB 19u
+#define SPHAERA_ERRORS_BUILD_BUS 0x00080000u /* a bus of the builder had an error, or did nothing for WATCHDOG clocks */
+#define SPHAERA_ERRORS_BUILD_REFUSED_LSB 20u
+#define SPHAERA_ERRORS_BUILD_REFUSED 0x00100000u /* BUILD came while a tree was built or drained, and did nothing */
 #define SPHAERA_INTERRUPTS 0x030u /* w1c: what happened */
 #define SPHAERA_INTERRUPTS_RESET 0x00000000u
 #define SPHAERA_INTERRUPTS_FRAME_DONE_LSB 0u
@@ -120,10 +140,12 @@
 #define SPHAERA_INTERRUPTS_UNDERRUN 0x00000004u /* video had no pixel when it needed one */
 #define SPHAERA_INTERRUPTS_ERROR_LSB 3u
 #define SPHAERA_INTERRUPTS_ERROR 0x00000008u /* a bit of ERRORS was set */
+#define SPHAERA_INTERRUPTS_BUILD_DONE_LSB 4u
+#define SPHAERA_INTERRUPTS_BUILD_DONE 0x00000010u /* a tree was built, or not because of an error */
 #define SPHAERA_INTERRUPT_ENABLE 0x034u /* rw: which of them drive the interrupt line */
 #define SPHAERA_INTERRUPT_ENABLE_RESET 0x00000000u
 #define SPHAERA_INTERRUPT_ENABLE_SOURCES_LSB 0u
-#define SPHAERA_INTERRUPT_ENABLE_SOURCES 0x0000000fu /* the bits of INTERRUPTS */
+#define SPHAERA_INTERRUPT_ENABLE_SOURCES 0x0000001fu /* the bits of INTERRUPTS */
 #define SPHAERA_WATCHDOG 0x038u /* rw: clocks that a bus may owe an answer, 0: any number */
 #define SPHAERA_WATCHDOG_RESET 0x00100000u
 #define SPHAERA_SCENE_BASE 0x040u /* rw: address of line 0 of the machine, a multiple of 4096 */
@@ -206,6 +228,36 @@
 #define SPHAERA_ADDRESS_HIGH_FRAME2 0x00ff0000u /* of FRAME2 */
 #define SPHAERA_ADDRESS_HIGH_SCENE_LSB 24u
 #define SPHAERA_ADDRESS_HIGH_SCENE 0xff000000u /* of SCENE_BASE */
+#define SPHAERA_BUILD_COUNT 0x080u /* rw: spheres of the next BUILD; all BUILD_*: lines of SCENE_BASE */
+#define SPHAERA_BUILD_COUNT_RESET 0x00000000u
+#define SPHAERA_BUILD_COUNT_SPHERES_LSB 0u
+#define SPHAERA_BUILD_COUNT_SPHERES 0x00ffffffu /* their number */
+#define SPHAERA_BUILD_RECORDS 0x084u /* rw: where their primitive records are */
+#define SPHAERA_BUILD_RECORDS_RESET 0x00000000u
+#define SPHAERA_BUILD_RECORDS_LINE_LSB 0u
+#define SPHAERA_BUILD_RECORDS_LINE 0x03ffffffu /* of the record of sphere 0 */
+#define SPHAERA_BUILD_TREE0 0x088u /* rw: the first place of a tree */
+#define SPHAERA_BUILD_TREE0_RESET 0x00000000u
+#define SPHAERA_BUILD_TREE0_LINE_LSB 0u
+#define SPHAERA_BUILD_TREE0_LINE 0x03ffffffu /* of the root, nodes and leaf records follow */
+#define SPHAERA_BUILD_TREE1 0x08cu /* rw: the second place */
+#define SPHAERA_BUILD_TREE1_RESET 0x00000000u
+#define SPHAERA_BUILD_TREE1_LINE_LSB 0u
+#define SPHAERA_BUILD_TREE1_LINE 0x03ffffffu /* of the root */
+#define SPHAERA_BUILD_LINES 0x090u /* rw: room of each place */
+#define SPHAERA_BUILD_LINES_RESET 0x00000000u
+#define SPHAERA_BUILD_LINES_LINES_LSB 0u
+#define SPHAERA_BUILD_LINES_LINES 0x03ffffffu /* two for each sphere, at least one */
+#define SPHAERA_BUILD_MODE 0x094u /* rw: how trees are built and used */
+#define SPHAERA_BUILD_MODE_RESET 0x00000000u
+#define SPHAERA_BUILD_MODE_ORDER_LSB 0u
+#define SPHAERA_BUILD_MODE_ORDER 0x00000003u /* of the spheres, 0: along a curve; others do nothing yet */
+#define SPHAERA_BUILD_MODE_ROOT_LSB 8u
+#define SPHAERA_BUILD_MODE_ROOT 0x00000100u /* a frame has the newest tree's line in place of register ROOT */
+#define SPHAERA_BUILD_CLOCKS 0x098u /* ro: clocks of the last build, without waiting for its place */
+#define SPHAERA_BUILD_CLOCKS_RESET 0x00000000u
+#define SPHAERA_BUILD_WRITTEN 0x09cu /* ro: lines that the last build wrote */
+#define SPHAERA_BUILD_WRITTEN_RESET 0x00000000u
 
 #define SPHAERA_MACHINE 0x200u
 #define SPHAERA_MACHINE_REGISTERS 120u
@@ -332,6 +384,11 @@
     X(SPHAERA_ERRORS_SCAN_ERROR, "a read of the frame that is shown was answered with an error") \
     X(SPHAERA_ERRORS_WATCHDOG, "a bus of scene or frame store did nothing for WATCHDOG clocks") \
     X(SPHAERA_ERRORS_REFUSED, "START came while a frame was drawn or drained, and did nothing") \
-    X(SPHAERA_ERRORS_SCAN_WATCHDOG, "the bus of the display did nothing for WATCHDOG clocks")
+    X(SPHAERA_ERRORS_SCAN_WATCHDOG, "the bus of the display did nothing for WATCHDOG clocks") \
+    X(SPHAERA_ERRORS_BUILD_MANY, "more spheres than BUILD, no tree was built") \
+    X(SPHAERA_ERRORS_BUILD_ROOM, "fewer lines than two a sphere, no tree was built") \
+    X(SPHAERA_ERRORS_BUILD_RECORD, "a record is no sphere of the profile, no tree was built") \
+    X(SPHAERA_ERRORS_BUILD_BUS, "a bus of the builder had an error, or did nothing for WATCHDOG clocks") \
+    X(SPHAERA_ERRORS_BUILD_REFUSED, "BUILD came while a tree was built or drained, and did nothing")
 
 #endif

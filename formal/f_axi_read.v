@@ -3,6 +3,7 @@
 // The bus gives beats of bursts that it took, of any ID, in any clock. The core waits for PENDING
 // lines at most. rt_run cuts the core off until the bus owes nothing, or forgets; resets may come
 // at any time.
+`include "axi_rules.vh"
 `timescale 1ns / 1ps
 `default_nettype none
 module f_axi_read #(
@@ -44,6 +45,10 @@ module f_axi_read #(
         .m_arlen(arlen), .m_rvalid(rvalid), .m_rready(rready), .m_rid(rid), .m_rdata(rdata),
         .m_rresp(rresp), .m_rlast(rlast)
     );
+    axi_read_rules #(.DATA(DATA), .ADDR(ADDR)) u_rules (
+        .clk(clk), .rst(rst), .anew(forget), .arvalid(arvalid), .arready(arready), .arid(arid),
+        .araddr(araddr), .arlen(arlen)
+    );
     (* hierconn *) wire [CB-1:0] \u_dut.owed_q ;
     (* hierconn *) wire [ADDR-1:0] \u_dut.base_q ;
 
@@ -67,7 +72,7 @@ module f_axi_read #(
     // ---- last clock, and what is assumed of the core, of rt_run and of the bus ----
     reg cut_q, idle_q, anew_q, forget_q, wait_q, take_q;
     reg begun_q = 1'b0;                  // there was a frame
-    reg [ADDR+4:0] request_q, taken_q;
+    reg [ADDR+4:0] taken_q;
     always @(posedge clk) begin
         cut_q     <= cut;
         begun_q   <= begun_q || begins;
@@ -75,7 +80,6 @@ module f_axi_read #(
         anew_q    <= rst || forget;
         forget_q  <= forget && !rst;
         wait_q    <= arvalid && !arready && !rst && !forget;
-        request_q <= {arid, araddr};
         take_q    <= take && !rst && !forget;
         taken_q   <= {req_tag, base_q + {1'b0, req_line, 5'd0}};
     end
@@ -89,10 +93,8 @@ module f_axi_read #(
     end
 
     always @* if (old_q) begin
-        if (wait_q) assert (arvalid && {arid, araddr} == request_q);     // stable until ready
         if (take_q) assert (arvalid && {arid, araddr} == taken_q);       // as the core asked
         assert (arlen == BEATS - 1);
-        if (arvalid) assert (araddr[4:0] == 0 && {1'b0, araddr[11:0]} + 32 <= 4096);
         if (arvalid) assert (wait_q || take_q);                          // nothing else, nor twice
         if (rready) assert (bus_q != 0 || arvalid);                      // nothing unasked is taken
         if (rsp_valid) assert (core_q != 0);                             // nor given to the core

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The bus answers bursts whose address and data it took, in any clock. Groups come aligned to their
 // length; what they hold is free.
+`include "axi_rules.vh"
 `timescale 1ns / 1ps
 `default_nettype none
 module f_axi_write #(
@@ -36,6 +37,12 @@ module f_axi_write #(
         .m_wready(wready), .m_wdata(wdata), .m_wstrb(wstrb), .m_wlast(wlast), .m_bvalid(bvalid),
         .m_bready(bready), .m_bresp(bresp)
     );
+    axi_write_rules #(.DATA(DATA), .ADDR(ADDR)) u_rules (
+        .clk(clk), .rst(rst), .anew(forget), .awvalid(awvalid), .awready(awready),
+        .awaddr(awaddr), .awlen(awlen), .wvalid(wvalid), .wready(wready), .wdata(wdata),
+        .wstrb(wstrb), .wlast(wlast), .bvalid(bvalid), .bready(bready)
+    );
+    (* hierconn *) wire [7:0] \u_rules.beats_q ;
     (* hierconn *) wire [3:0] \u_dut.owed_q ;
     (* hierconn *) wire [1:0] \u_dut.left_q ;
 
@@ -43,11 +50,6 @@ module f_axi_write #(
     reg           old_q = 1'b0;
     reg [3:0]     whole_q;               // bursts of which the bus has all
     reg [7:0]     beat_q;                // beats of the burst taken
-    reg           aw_wait_q, w_wait_q, last_q;
-    reg [ADDR-1:0] addr_q;
-    reg [7:0]     len_q;
-    reg [DATA-1:0] data_q;
-    reg [DATA/8-1:0] strb_q;
     wire aw   = awvalid && awready;
     wire w    = wvalid && wready;
     wire ends = (awvalid || wvalid) && (aw || !awvalid) && (w && wlast || !wvalid);
@@ -56,9 +58,6 @@ module f_axi_write #(
         old_q     <= 1'b1;
         whole_q   <= whole_q + ends - b;
         beat_q    <= w ? (wlast ? 0 : beat_q + 1) : beat_q;
-        aw_wait_q <= awvalid && !awready && !rst && !forget;
-        w_wait_q  <= wvalid && !wready && !rst && !forget;
-        {addr_q, len_q, data_q, strb_q, last_q} <= {awaddr, awlen, wdata, wstrb, wlast};
         if (rst || forget) begin whole_q <= 0; beat_q <= 0; end
     end
     always @* begin
@@ -68,14 +67,10 @@ module f_axi_write #(
     end
 
     always @* if (old_q) begin
-        if (aw_wait_q) assert (awvalid && awaddr == addr_q && awlen == len_q);
-        if (w_wait_q) assert (wvalid && wdata == data_q && wstrb == strb_q && wlast == last_q);
-        if (wvalid) assert (wlast == (beat_q == awlen));     // beats are as many as AWLEN says
-        if (awvalid) assert ({1'b0, awaddr[11:0]} + (awlen + 1) * (DATA / 8) <= 4096);
-        if (bvalid) assert (bready);                         // an answer never waits
         assert (idle == (whole_q == 0 && !awvalid && !wvalid));
         if (cut) assert (group_ready);                       // what is thrown away never waits
         // invariant
+        assert (\u_rules.beats_q == beat_q);
         assert (\u_dut.owed_q == whole_q + (awvalid || wvalid));
         if (wvalid) assert (beat_q <= awlen && \u_dut.left_q == awlen - beat_q);
         else assert (beat_q == 0);

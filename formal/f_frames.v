@@ -29,18 +29,18 @@ module f_frames #(
         .show_valid_o(show_valid), .show_base_o(show_base), .swap_o(swap), .again_o(again),
         .lost_o(lost), .drawn_o(drawn), .newest_o(newest), .shown_o(shown)
     );
-    (* hierconn *) wire \u_dut.fresh_q ;
+    (* hierconn *) wire \u_dut.fresh_q , \u_dut.gone_q ;
     (* hierconn *) wire [ADDR-1:0] \u_dut.newest_base_q ;
-    reg        old_q = 1'b0, drawing_q, fresh_q, calm_q, valid_q;
+    reg        old_q = 1'b0, drawing_q, fresh_q, gone_q, calm_q, valid_q;
     reg [ADDR-1:0] base_q, complete_q, wanted_q;  // complete_q: where the newest frame was drawn
     always @(posedge clk) begin
         old_q <= 1'b1;
-        if (take) fresh_q <= 1'b0;
+        if (take) {fresh_q, gone_q} <= 2'd0;
         if (begins) drawing_q <= 1'b1;
         if (ends) drawing_q <= 1'b0;
         if (ends && good) {fresh_q, complete_q} <= {1'b1, draw_base};
         if (take && fresh_q) wanted_q <= complete_q;
-        if (rst || clear) begin drawing_q <= 1'b0; fresh_q <= 1'b0; end
+        if (rst || clear) begin drawing_q <= 1'b0; fresh_q <= 1'b0; gone_q <= !rst; end
         calm_q  <= !take && !rst;
         base_q  <= show_base;
         valid_q <= show_valid;
@@ -54,12 +54,13 @@ module f_frames #(
         if (drawing_q && show_valid) assert (drawn != shown);
         if (calm_q) assert (show_valid == valid_q && (!show_valid || show_base == base_q));
         assert (swap == (take && fresh_q));
-        if (lost) assert (fresh_q);
+        assert (again == (take && !fresh_q && show_valid && !gone_q));
+        assert (lost == (ends && good && fresh_q && !take));
         assert (room == !(waits && fresh_q));
         if (show_valid) assert (show_base == wanted_q);
         // invariant
         if (fresh_q) assert (\u_dut.newest_base_q == complete_q);
-        assert (\u_dut.fresh_q == fresh_q);
+        assert (\u_dut.fresh_q == fresh_q && \u_dut.gone_q == gone_q);
         assert (drawn < 3 && newest < 3 && shown < 3);
         if (drawing_q && fresh_q) assert (drawn != newest);
         if (fresh_q && show_valid) assert (newest != shown);

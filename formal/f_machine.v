@@ -1,7 +1,7 @@
 // f_machine.v - proof of rt_machine: a register reads as it was written; a START gives each once
 // SPDX-License-Identifier: Apache-2.0
 // Followed is one register, which the solver chooses. Writes and reads come in any clock, those
-// that do not wait for busy_o too; a START does not come while one is followed (f_run).
+// that do not wait for busy_o too; a START may come while one is followed, behind a STOP.
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
@@ -60,7 +60,6 @@ module f_machine (
         if (!old_q) assume (rst);
         assume (\u_dut.g_byte[1].u_byte.mark == me && \u_dut.g_byte[2].u_byte.mark == me);
         assume (\u_dut.g_byte[3].u_byte.mark == me);
-        if (load) assume (!loading);
     end
 
     always @* if (old_q) begin

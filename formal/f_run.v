@@ -8,7 +8,7 @@
 module f_run (
     input wire        clk,
     input wire        rst,
-    input wire [6:0]  order,
+    input wire [7:0]  order,
     input wire [31:0] limit,
     input wire        loading,
     input wire        core_busy,
@@ -56,7 +56,8 @@ module f_run (
     wire told   = errors[`RT_TOP_ERRORS_SCAN_WATCHDOG];
 
     // ---- model: a frame, its errors, its caches; a silence of the display's bus ----
-    reg old_q = 1'b0, frame_q, begun_q, drain_q, bad_q, keep_q, told_q, quiet_q, dead_q, ended_q;
+    reg old_q = 1'b0, frame_q, begun_q, drain_q, bad_q, keep_q, told_q, quiet_q, dead_q, ended_q,
+        calm_q;
     always @(posedge clk) begin
         old_q   <= 1'b1;
         frame_q <= (frame_q || load) && !done;
@@ -66,10 +67,11 @@ module f_run (
         if (load) keep_q <= order[`RT_TOP_CONTROL_KEEP_CACHE];
         told_q  <= scan_stall && !forget && (told_q || told);
         drain_q <= draining;
+        calm_q  <= !busy && !draining && !load && !anew;
         quiet_q <= read_idle && write_idle;
         dead_q  <= read_dead || write_dead;
         ended_q <= rst || forget || (draining && read_idle && write_idle);
-        if (rst) {frame_q, begun_q, drain_q, told_q, dead_q} <= 5'd0;
+        if (rst) {frame_q, begun_q, drain_q, told_q, dead_q, calm_q} <= 6'd0;
     end
     always @* if (!old_q) assume (rst);
 
@@ -97,6 +99,7 @@ module f_run (
         if (stop && frame_q) assert (done && !ends);
         assert (core_rst == (draining || read_dead) && cut == draining);
         if (drain_q && !draining) assert (quiet_q);              // the buses owe nothing
+        if (calm_q) assert (!busy && !draining);                 // a STOP is of a frame alone
         if (dead_q && !ended_q) assert (read_dead || write_dead); // given up until they do
         if (told_q) assert (!told);                              // a silence is told once
         assert (late == (read_late || write_late));              // and at its limit

@@ -4,6 +4,7 @@
 // answers only what was asked, and size, stride, format and enable_i change between frames only.
 // An address waits unchanged; a burst stays within 4 KiB; the bursts of a row follow each other and
 // end with its last byte; every beat finds room; a header is written when no beat is on its way.
+`include "axi_rules.vh"
 `timescale 1ns / 1ps
 `default_nettype none
 module f_scan #(
@@ -50,6 +51,10 @@ module f_scan #(
         .stall_o(stall), .idle_o(), .word_valid_o(word_valid), .word_data_o(word),
         .word_count_i(count_q)
     );
+    axi_read_rules #(.DATA(DATA), .ADDR(ADDR), .ID(1), .MOST(BURST)) u_rules (
+        .clk(clk), .rst(rst), .anew(forget), .arvalid(arvalid), .arready(arready), .arid(1'b0),
+        .araddr(araddr), .arlen(arlen)
+    );
     (* hierconn *) wire [CB-1:0] \u_dut.owed_q ;
     (* hierconn *) wire          \u_dut.read_q ;
     (* hierconn *) wire          \u_dut.stale_q ;
@@ -64,12 +69,9 @@ module f_scan #(
     (* hierconn *) wire [$clog2(BURST):0] \u_dut.length ;
     (* hierconn *) wire [$clog2(BURST):0] \u_dut.length_q ;
 
-    // ---- model: beats that the bus owes, words of the queue, the address that waits ----
+    // ---- model: beats that the bus owes, words of the queue ----
     reg          old_q = 1'b0;
     reg [CB+8:0] owed_q;             // asked for and not yet come
-    reg          wait_q;
-    reg [ADDR-1:0] wait_addr_q;
-    reg [7:0]    wait_len_q;
     wire         ask  = arvalid && arready;
     wire         beat = rvalid && rready;
     wire [CB+8:0] length = {{(CB+1){1'b0}}, arlen} + 1'b1;
@@ -77,10 +79,7 @@ module f_scan #(
         old_q       <= 1'b1;
         owed_q      <= owed_q + (ask ? length : 1'b0) - beat;
         count_q     <= count_q + word_valid - (leaves && count_q != 0);
-        wait_q      <= arvalid && !arready;
-        wait_addr_q <= araddr;
-        wait_len_q  <= arlen;
-        if (rst || forget) begin owed_q <= 0; wait_q <= 1'b0; end
+        if (rst || forget) owed_q <= 0;
         if (rst) count_q <= 0;
     end
     wire [15:0] row_bytes = ((h_active + {12'd0, twice}) >> twice) << (rgb565 ? 1 : 2);
@@ -91,13 +90,8 @@ module f_scan #(
         if (rvalid) assume (owed_q != 0);
     end
 
-    wire [ADDR-1:0] last = araddr + (length - 1'b1) * BYTES;
     always @* if (old_q) begin
-        if (wait_q) assert (arvalid && araddr == wait_addr_q && arlen == wait_len_q);
-        if (arvalid) begin
-            assert (araddr[ADDR-1:12] == last[ADDR-1:12]);                    // within 4 KiB
-            assert (araddr % BYTES == 0 && arlen < BURST);
-        end
+        if (arvalid) assert (araddr % BYTES == 0 && arlen < BURST);
         assert (arburst == 2'b01 && (1 << arsize) == BYTES);
         assert (rready);                                              // a beat never waits
         if (word_valid) assert (count_q < DEPTH);                     // there is room

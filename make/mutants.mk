@@ -6,8 +6,9 @@
 #   make campaign FAULTS=10000     more of them, SEED=2 others
 #   make campaign ENGINE=slurm     on a cluster: docs/guide/simulation.md
 #   make campaign-c MINUTES=60     the same in the C model
+#   make designed MUTANT=trace     those of tests/faults/designed whose name or file has the word
 
-.PHONY: mutants hard-rtl common-mode twins campaign campaign-c coverage
+.PHONY: mutants hard-rtl common-mode twins campaign campaign-c designed coverage
 planted = @ALL=1 BUILD=$B JOBS=$(JOBS) sh tests/run.sh tests/faults/test_$(1).sh
 mutants: suites ## faults put into the RTL and what notices them: all of tests/faults
 	$(call planted,mutants)
@@ -49,8 +50,12 @@ campaign-c: $(campaign_suite:.o=.sanitized.o) $B/asan/libsphaera.a
 campaign-c: $(MODEL) $(campaign_suite) $B/test/hard ## faults in the model, and what notices them
 	@JOBS=$(JOBS) python3 -m lab mutants-c $B $(FAULTS) $(SEED) $(MINUTES) -- $(CC) $(CFLAGS)
 
+designed: $(TOOL) $(MODEL) $B/test/libhard.a ## faults as designers make them, and who notices them
+	@BENCH_BUILD=$B python3 -m lab benches --tools && sh sim/core.sh --help >$B/core-help.log
+	$(Q)python3 -m lab designed --others $B $(MUTANT)
+	$(Q)$(if $(MUTANT),true,python3 -m lab designed --told $B)
+
 # What benches and frames meet of every module; a run that was ended goes on.
 coverage: $(TOOL) $B/test/libhard.a ## lines, branches and bits of the RTL that checks meet, merged
-	@mkdir -p $B/coverage
-	@BENCH_BUILD=$B python3 -m lab benches --tools && sh sim/core.sh --help >$B/coverage/log
+	@BENCH_BUILD=$B python3 -m lab benches --tools && sh sim/core.sh --help >$B/core-help.log
 	$(Q)python3 -m lab coverage $B

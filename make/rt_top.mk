@@ -5,12 +5,14 @@
 B       ?= build
 # another source folder, with a name for what is built of it
 RTL     ?= rtl
-NAME    ?= $(PROFILE)-$(CORE)-$(DATA)$(if $(filter 1,$(LAYERS)),-layers)
+NAME    ?= $(PROFILE)-$(CORE)-$(DATA)$(if $(filter 1,$(LAYERS)),-layers)$(if $(TREES:0=),-trees$(TREES))
 PROFILE ?= draft
 CORE    ?= all
 # bits of the scene's data; of frame store and display too, up to 128
 DATA    ?= 64
 LAYERS  ?= 0
+# spheres that it builds trees of, 0: it builds none
+TREES   ?= 0
 # bits of an address: more with one of the widths
 ADDR    ?= $(if $(filter 128,$(DATA)),40,32)
 BENCH   ?= tb_top
@@ -24,11 +26,13 @@ RTL_DIRS  := $(sort $(dir $(RTL_FILES)))
 FRAME_DATA := $(if $(filter 256,$(DATA)),128,$(DATA))
 PARAMETERS := $(shell sim/cores.py profile '$(PROFILE)') \
               $(shell sim/cores.py parameters '$(CORE)') \
-              DATA=$(FRAME_DATA) MEM_DATA=$(DATA) VIDEO=1 LAYERS=$(LAYERS) ADDR=$(ADDR)
+              DATA=$(FRAME_DATA) MEM_DATA=$(DATA) VIDEO=1 LAYERS=$(LAYERS) BUILD=$(TREES) \
+              ADDR=$(ADDR)
 VERILATE := $(VERILATOR) --cc --language 1364-2005 -O3 --x-assign unique --x-initial unique \
                 --top-module rt_top --prefix Vrt_top $(PARAMETERS:%=-G%) \
                 $(RTL_DIRS:%=-y %) $(RTL_DIRS:%=-I%)
-VERILATE += $(if $(filter tb_shell,$(BENCH)),+1800-2017ext+sv $K/rt_core.sv,-Wall) \
+VERILATE += +1800-2017ext+sv -Iformal -Itb/top tb/top/rt_top_rules.sv \
+            $(if $(filter tb_shell,$(BENCH)),+define+TOP_VIEW $K/rt_core.sv,-Wall) \
             $(filter %/rt_top.v %/cells.v,$(RTL_FILES))
 DRIVER   := $S/obj/driver.o
 VERILATED := $S/obj/bench_verilated.o $S/obj/bench_verilated_threads.o
@@ -46,13 +50,13 @@ $K/rt_core.sv: rtl/core/rt_core.v tb/top/golden_core.svh
 	@mkdir -p $K
 	sed '/^);/q' $< | cat - tb/top/golden_core.svh >$@
 
-$K/all.cpp: $(RTL_FILES) $K/flags $(if $(filter tb_shell,$(BENCH)),$K/rt_core.sv)
+$K/all.cpp: $(RTL_FILES) $(wildcard formal/axi_rules.vh tb/*/*_rules.sv) $K/flags $(if $(filter tb_shell,$(BENCH)),$K/rt_core.sv)
 	@rm -f $K/Vrt_top*
 	$(VERILATE) --Mdir $K
 	@sh sim/at_once.sh $K tb/top/$(BENCH).cpp >$@
 
 $K/top.o: $K/all.cpp $(PRECOMPILED)
-	$(COMPILE) -DDATA=$(FRAME_DATA) -DADDR=$(ADDR) -isystem $K -MD -MP -c $< -o $@
+	$(COMPILE) $(PARAMETERS:%=-DTOP_%) -DDATA=$(FRAME_DATA) -DADDR=$(ADDR) -isystem $K -MD -MP -c $< -o $@
 
 # As for a board: no library, no warnings.
 $(DRIVER): $(wildcard driver/*)

@@ -5,14 +5,16 @@
 # that shapes the run. $B/out/SCENE-PROFILE-SIZE-DIGEST/ holds what render and sim leave.
 
 # Options of `sphaera build`. The tool refuses by name what does not belong together.
-GIVEN_TREE    := $(if $(filter-out file,$(origin TREE)),$(TREE))
+# Of rt_top too, if the command line says so: of the environment BUILD is a folder.
+CHIP_BUILDS   := $(filter hw,$(if $(filter command,$(origin BUILD)),$(BUILD)))
+GIVEN_TREE    := $(or $(CHIP_BUILDS),$(if $(filter-out file,$(origin TREE)),$(TREE)))
 BUILD_PROFILE := $(if $(filter all,$(PROFILE)),reference,$(PROFILE))
 # A core of one's own words that has no `camera` takes machines alone that lack nothing.
 WHOLE         := $(filter-out auto all all+% $(if $(findstring camera,$(EFFECTS:all-%=)),%),\
                      $(EFFECTS))
 BUILD_OPTIONS := --profile $(BUILD_PROFILE) --depth $(DEPTH) --background $(BACKGROUND) \
                  --traverse $(TRAVERSE) \
-                 $(if $(filter bvh4,$(ACCEL)),--accel bvh4 --tree $(TREE),--accel $(ACCEL) \
+                 $(if $(filter bvh4,$(ACCEL)),--accel bvh4 --tree $(or $(CHIP_BUILDS),$(TREE)),--accel $(ACCEL) \
                      $(if $(GIVEN_TREE),--tree $(GIVEN_TREE))) \
                  $(if $(MAX_PRIMS),--max-prims $(MAX_PRIMS)) \
                  $(if $(MAX_TREE_DEPTH),--max-tree-depth $(MAX_TREE_DEPTH)) \
@@ -48,9 +50,10 @@ $(PICTURES): $B/obj/sim/pictures.o $(call objects,obj/,$(IMAGE_C) $(LAZY_C)) $(M
 top_run = test $(MEMORY) = ideal || { echo 'MEMORY=$(MEMORY): not with TOP=1' >&2; exit 2; }; \
           test -z '$(PIXEL)' || { echo 'PIXEL=$(PIXEL): not with TOP=1' >&2; exit 2; }; \
           mkdir -p $B/sim && $(call values,SCENE FRAMES BUILD_OPTIONS LATENCY STALL SEED PROFILE \
-              LAYERS MOVIE) BUILD=$B sh sim/top.sh
+              LAYERS MOVIE CHIP_BUILDS CORE_MHZ) BUILD=$B sh sim/top.sh
 sim: $(TOOL) $(PICTURES) ## SCENE through model and RTL, compared bit for bit; TOP=1: in rt_top
 	$(Q)test $(TOP)$(LAYERS) != 01 || { echo 'LAYERS=1: with TOP=1 alone' >&2; exit 2; }
+	$(Q)test '$(TOP)$(CHIP_BUILDS)' != 0hw || { echo 'BUILD=hw: with TOP=1 alone' >&2; exit 2; }
 	$(Q)$(if $(filter 1,$(RTL)),unset RTL MAKEFLAGS; )export REPEATED=$(call quoted,$(repeated)); \
 	    $(if $(filter 1,$(TOP)),$(top_run),\
 	    $(call values,CSV) $(call run,sim,$(SIM_KEY)))

@@ -26,7 +26,7 @@ top: $(TOP_RUNS) ## rt_top under its driver: frames, errors, resets, silent buse
 	    $(call top_tool,$$data) run || exit 1; done
 
 top-shell: $(TOP_RUNS)
-	@echo "CORE=$(TOP_CORE) MACHINES='$(TOP_RUNS:$B/%=build/%)'"
+	@echo "CORE=$(TOP_CORE)+cones16 MACHINES='$(TOP_RUNS:$B/%=build/%)'"
 
 $B/top/%.sph: scenes/%.nff $(TOOL)
 	@mkdir -p $(@D)

@@ -72,7 +72,7 @@ STALL ?= 0
 ## MEMORY ideal|sdram16|ddr3x16 behind the core, of make sim without TOP and Icarus: a beat a clock,
 ##             or a 16-bit SDRAM, a DDR3 x16, with banks, rows, refresh (LATENCY on top)
 MEMORY ?= ideal
-## CORE_MHZ 1..2000 clock of the core beside such a memory
+## CORE_MHZ 1..2000 clock of the core beside such a memory, and of frames a second with BUILD=hw
 CORE_MHZ ?= 84
 ## WATCHDOG 1.. clocks in which a core does nothing at all (no pixel, no line of memory, no work
 ##             that it counts) before make sim, without TOP, gives it up: exit code 4
@@ -85,6 +85,9 @@ TOP_DATA ?= 64 128 256
 HD_SCENE ?= paper5
 ## LAYERS 0|1 if 1, with TOP=1, rt_top stores Rendering, L1 and L2 of each frame side by side
 LAYERS ?= 0
+## BUILD host|hw who builds the tree of each frame, with TOP=1: hw is rt_top, with BUILD, which gets
+##             the records that moved
+BUILD ?= host
 ## FRAMES <word>| of a moving scene, of make film and TOP=1, such as 0..9 (empty: 0..0)
 FRAMES ?= 0..0
 ## MOVIE <text>| .gif or .mp4 of make film, make sim TOP=1 (.mp4: make movie-setup)

@@ -11,10 +11,13 @@
 rtl/build/rt_build.v
 rtl/build/rt_build_bound.v
 rtl/build/rt_build_chain.v
+rtl/build/rt_build_groups.v
 rtl/build/rt_build_nodes.v
 rtl/build/rt_build_sort.v
 rtl/bus/rt_axi_read.v
+rtl/bus/rt_axi_read_two.v
 rtl/bus/rt_axi_write.v
+rtl/bus/rt_axi_write_two.v
 rtl/core/rt_core.v
 rtl/core/rt_counters.v
 rtl/core/rt_registers.v
@@ -112,6 +115,7 @@ rtl/texture/rt_texture_image.v
 rtl/texture/rt_texture_map.v
 rtl/texture/rt_texture_mix.v
 rtl/texture/rt_texture_path.v
+rtl/top/rt_builder.v
 rtl/top/rt_control.v
 rtl/top/rt_frame_groups.v
 rtl/top/rt_frame_write.v
@@ -120,6 +124,7 @@ rtl/top/rt_machine.v
 rtl/top/rt_run.v
 rtl/top/rt_top.v
 rtl/top/rt_totals.v
+rtl/top/rt_trees.v
 rtl/trace/rt_across.v
 rtl/trace/rt_across_one.v
 rtl/trace/rt_bih.v

@@ -2,17 +2,18 @@
 # top.sh - frames of a moving scene on one rt_top, one behind the other, each compared
 # SPDX-License-Identifier: Apache-2.0
 #
-# usage: SCENE=... FRAMES=A..B BUILD_OPTIONS=... LATENCY=n STALL=n SEED=n PROFILE=...
-#        [LAYERS=0|1] [MOVIE=FILE] sim/top.sh
+# usage: SCENE=... FRAMES=A..B BUILD_OPTIONS=... LATENCY=n STALL=n SEED=n PROFILE=... CORE_MHZ=n
+#        [LAYERS=0|1] [CHIP_BUILDS=hw] [MOVIE=FILE] sim/top.sh
 # Builds the machines of these frames into BUILD/out/top-DIGEST, and rt_top with a core that can do
 # what any of them asks for. There are report.json, shown-0000.ppm and so on; MOVIE joins these.
 # With LAYERS=1 rt_top has layers: rendering-0000.ppm, l1-0000.ppm and l2-0000.ppm are there too.
+# With CHIP_BUILDS=hw it builds the tree of each frame, of the records that moved.
 set -euf
 cd "$(dirname "$0")/.."
 tool=$BUILD/sphaera
 scene=$(sim/scene.py "$SCENE")
 run=$BUILD/out/top-$(printf '%s\n' "$scene" "$FRAMES" "$BUILD_OPTIONS" "$LATENCY" "$STALL" \
-    "$SEED" "$PROFILE" "${LAYERS:=0}" | sha256sum | cut -c 1-8)
+    "$SEED" "$PROFILE" "${LAYERS:=0}" "${CHIP_BUILDS:=}" | sha256sum | cut -c 1-8)
 mkdir -p "$run"
 exec 9>"$run/.lock"
 flock 9
@@ -36,13 +37,24 @@ core=$(for file; do "$tool" info "$file" | sed -n 's/^core *//p'; done | tr '+' 
               print text }')
 name=$profile-$core-64
 [ "$LAYERS" = 0 ] || name=$name-layers
+trees=0
+if [ -n "$CHIP_BUILDS" ]; then
+    spheres=$("$tool" info "$1" | sed -n 's/^ *[0-9]* N_PRIMS *\([0-9]*\) .*/\1/p')
+    trees=16
+    while [ "$trees" -lt "$spheres" ]; do trees=$((trees * 2)); done
+    if [ "$trees" -gt 65536 ]; then
+        echo "BUILD=hw: $spheres spheres, of 65536 at most" >&2
+        exit 1
+    fi
+    name=$name-trees$trees
+fi
 flock "$BUILD/sim/.tools.lock" env -u MAKEFLAGS -u MFLAGS make -s --no-print-directory \
     -f make/rt_top.mk B="$BUILD" BENCH=tb_frames NAME="$name" PROFILE="$profile" CORE="$core" \
-    DATA=64 LAYERS="$LAYERS" top >"$run/make.log" 2>&1 || { cat "$run/make.log" >&2; exit 1; }
+    DATA=64 LAYERS="$LAYERS" TREES="$trees" top >"$run/make.log" 2>&1 || { cat "$run/make.log" >&2; exit 1; }
 "$BUILD/sim/tb_frames-$name/tb_frames" "$LATENCY" "$STALL" "$SEED" "$run" "$@" \
     >"$run/checks" || { cat "$run/checks"; exit 1; }
 [ -z "${MOVIE:-}" ] || "$tool" movie -o "$MOVIE" "$run"/shown-*.ppm >&2
-python3 -m lab image-times "$run"
+python3 -m lab image-times "$run" "$CORE_MHZ"
 cat "$run/checks"
 python3 -m lab film-report "$run" "${REPEATED:-}"
 echo "report in $run/"

@@ -9,7 +9,9 @@
 
 struct SdramTimes {
     static constexpr double T_RCD = 20, T_RP = 20, T_RAS = 44, T_RC = 66, T_RFC = 66, T_RRD = 15,
-                            T_WR = 15, T_REFI = 7812.5, T_POWER = 100000;
+                            T_WR = 15, T_RAS_MOST = 120000, T_REF = 64000000, T_POWER = 100000;
+    static constexpr int ROWS = 8192; /* refreshes in each T_REF */
+    static constexpr double T_REFI = T_REF / ROWS;
 };
 
 #endif

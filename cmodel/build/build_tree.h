@@ -2,13 +2,15 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * Spheres are sorted along a curve, neighbours of that order are joined to a binary tree, and of
- * this, from the root down, nodes of four are made. All of it is integers, and bit for bit what
- * rt_build does: docs/design/build_tree.md.
+ * this, from the root down, nodes of four are made. Or they are sorted by z and merged by four. All
+ * of it is integers, and bit for bit what rt_build does: docs/design/build_tree.md.
  *
- *     order.c   Morton keys of the centres, sorted
+ *     order.c   keys of the centres, sorted
  *     chain.c   the binary tree: the two clusters are joined that each have the other as the nearer
  *               neighbour
- *     nodes.c   nodes of four, and spheres around their children
+ *     nodes.c   nodes of four of it
+ *     groups.c  nodes of four of the order by z, level by level
+ *     bound.c   spheres around children
  *     words.c   records in memory words to nodes and leaf records in memory words
  */
 #ifndef SPH_BUILD_TREE_H
@@ -43,9 +45,36 @@ struct sph_bt_node {
     uint8_t n_inner, n_leaf;
 };
 
-/* Places of n spheres along the Morton curve through their centres, those of equal keys by index;
- * order[place] is an index. spare: as many words. */
-void sph_bt_order(const struct sph_bt_leaf *leaves, uint32_t n, uint32_t *order, uint64_t *spare);
+/* A sphere in filter units, without margin. */
+struct sph_bt_ball {
+    int32_t ctr[3], rad;
+};
+
+/* In grid units. */
+struct sph_bt_box {
+    int64_t lo[3], hi[3];
+};
+
+/* A box of nothing, to which spheres are added. */
+struct sph_bt_box sph_bt_nothing(void);
+
+/* Makes a box hold a sphere, given in units of 2^k grid units. */
+void sph_bt_add(struct sph_bt_box *box, const int32_t ctr[3], int32_t rad, int k);
+
+/* The sphere around places first .. last of an order: in the middle of their box, with the smallest
+ * radius that holds them all. One that is larger than that around the grid becomes it. */
+void sph_bt_enclose(const struct sph_bt_leaf *leaves, const uint32_t *order, uint32_t first,
+                    uint32_t last, const struct sph_profile *profile, struct sph_bt_ball *ball);
+
+/* The sphere in the middle of a box that reaches its farthest corner (Borodavka et al., IV). */
+void sph_bt_on_box(const struct sph_bt_box *box, const struct sph_profile *profile,
+                   struct sph_bt_ball *ball);
+
+/* Places of n spheres, those of equal keys by index; order[place] is an index. mode:
+ * SPH_BUILD_CURVE, along the Morton curve through their centres, or SPH_BUILD_PAPER, by falling z.
+ * spare: 2n words. */
+void sph_bt_order(const struct sph_bt_leaf *leaves, uint32_t n, int mode,
+                  const struct sph_profile *profile, uint32_t *order, uint64_t *spare);
 
 /* The binary tree over that order: pairs[0 .. n-2]; returns the number of its root, 0 if there is
  * none. */
@@ -58,8 +87,26 @@ uint32_t sph_bt_nodes(const struct sph_bt_leaf *leaves, const uint32_t *order, u
                       const struct sph_bt_pair *pairs, uint32_t root,
                       const struct sph_profile *profile, struct sph_bt_node *nodes);
 
-/* All three. *nodes is malloc'd; -1 with a message if memory is out. */
-int sph_bt_tree(const struct sph_bt_leaf *leaves, uint32_t n, const struct sph_profile *profile,
+/* Nodes of four of an order by z in the order in which they stand in memory, the root first; nodes:
+ * room for n, or for one; balls: as many, which are lost. Returns how many. */
+uint32_t sph_bt_groups(const struct sph_bt_leaf *leaves, const uint32_t *order, uint32_t n,
+                       const struct sph_profile *profile, struct sph_bt_ball *balls,
+                       struct sph_bt_node *nodes);
+
+/* What stays of a build for SPH_BUILD_REFIT: all but the spheres. {0}: nothing does. */
+struct sph_bt_kept {
+    uint32_t n, root;
+    int mode;                  /* SPH_BUILD_CURVE, SPH_BUILD_PAPER */
+    uint32_t *order;           /* malloc; NULL: nothing is kept */
+    struct sph_bt_pair *pairs; /* malloc */
+};
+
+void sph_bt_forget(struct sph_bt_kept *kept);
+
+/* All of it. mode: one of SPH_BUILD_*; kept: of the build before, becomes that of this one, may be
+ * NULL. *nodes is malloc'd; -1 with a message if memory is out. */
+int sph_bt_tree(const struct sph_bt_leaf *leaves, uint32_t n, int mode,
+                const struct sph_profile *profile, struct sph_bt_kept *kept,
                 struct sph_bt_node **nodes, uint32_t *n_nodes, struct sph_error *err);
 
 /* Lines that nodes and leaf records of n spheres take at most. */
@@ -69,10 +116,12 @@ static inline uint64_t sph_bt_lines(uint32_t n) {
 
 /* What memory gives and what is wanted, as the ports of rt_build have it. */
 struct sph_bt_job {
-    uint32_t n;         /* spheres */
-    uint32_t prim_base; /* line of the primitive record of sphere 0 */
-    uint32_t root;      /* line of the root: nodes and leaf records follow */
-    uint32_t lines;     /* that they may take */
+    uint32_t n;               /* spheres */
+    uint32_t prim_base;       /* line of the primitive record of sphere 0 */
+    uint32_t root;            /* line of the root: nodes and leaf records follow */
+    uint32_t lines;           /* that they may take */
+    int mode;                 /* SPH_BUILD_CURVE, _PAPER, _REFIT */
+    struct sph_bt_kept *kept; /* what rt_build holds of the build before; NULL: nothing, ever */
 };
 
 /* Reasons why nothing was written; sticky bits of rt_build. */
@@ -80,11 +129,15 @@ enum {
     SPH_BT_MANY = 1,   /* more spheres than it was built for */
     SPH_BT_ROOM = 2,   /* fewer lines than sph_bt_lines() */
     SPH_BT_RECORD = 4, /* a number not of W bits, a radius of 0, another id or kind of primitive */
-    SPH_BT_BUS = 8     /* memory answered with an error */
+    SPH_BT_BUS = 8,    /* memory answered with an error */
+    SPH_BT_MODE = 16   /* no mode, or a refit of another number of spheres than were built last */
 };
 
-/* Nodes and leaf records of the primitive records that memory holds. most: spheres that fit the
- * hardware. *written: lines from the root's on. Returns 0, or reasons of the above; -1 with a
+/* SPH_BT_MANY, _ROOM, _MODE: why a job is not begun. most: spheres that fit the hardware. */
+int sph_bt_refused(const struct sph_bt_job *job, uint32_t most);
+
+/* Nodes and leaf records of the primitive records that memory holds. most: as above.
+ * *written: lines from the root's on. Returns 0, or reasons of the above; -1 with a
  * message if memory is out. */
 int sph_bt_words(uint32_t *memory, const struct sph_bt_job *job, uint32_t most,
                  const struct sph_profile *profile, uint32_t *written, struct sph_error *err);

@@ -1,4 +1,4 @@
-/* nodes.c - nodes of four of a binary tree, and their spheres    RTL: rtl/build/rt_build_nodes.v
+/* nodes.c - nodes of four of a binary tree                       RTL: rtl/build/rt_build_nodes.v
  * SPDX-License-Identifier: Apache-2.0
  *
  * A node's children are at first the two halves of its pair. As long as there are fewer than four,
@@ -12,12 +12,10 @@
  * A node on level l of which more than 4^(STACK_DEPTH - l) spheres are below, so that a bad tree
  * would be too deep for the stack, is cut in halves of its run instead, and so is all below it.
  */
-#include <stdlib.h>
+#include <string.h>
 
 #include "build/build_tree.h"
 #include "machine/layout.h"
-#include "math/arith.h"
-#include "math/fx.h"
 
 /* A run of places, one cluster of the binary tree. */
 struct run {
@@ -32,82 +30,42 @@ struct waiting {
     uint32_t parent, slot; /* which node's child it is */
 };
 
-struct work {
-    const struct sph_bt_leaf *leaves;
-    const uint32_t *order;
-    const struct sph_bt_pair *pairs;
-    const struct sph_profile *profile;
-};
-
 static uint32_t spheres(const struct run *run) {
     return run->last - run->first + 1;
 }
 
 /* By which of two runs is opened first. */
-static uint32_t size(const struct work *w, const struct run *run) {
-    return run->even ? spheres(run) : w->pairs[run->number].size;
+static uint32_t size(const struct sph_bt_pair *pairs, const struct run *run) {
+    return run->even ? spheres(run) : pairs[run->number].size;
 }
 
-static void halves(const struct work *w, const struct run *run, struct run *left,
+static void halves(const struct sph_bt_pair *pairs, const struct run *run, struct run *left,
                    struct run *right) {
     struct run whole = *run;
     uint32_t at = whole.even ? whole.first + (whole.last - whole.first) / 2 : whole.number;
-    *left = (struct run){whole.first, at, w->pairs[at].left, whole.even};
-    *right = (struct run){at + 1, whole.last, w->pairs[at].right, whole.even};
+    *left = (struct run){whole.first, at, pairs[at].left, whole.even};
+    *right = (struct run){at + 1, whole.last, pairs[at].right, whole.even};
 }
 
 /* The runs of a node's children; returns how many. */
-static int open_run(const struct work *w, struct run run, struct run child[SPH_BT_CHILDREN]) {
+static int open_run(const struct sph_bt_pair *pairs, struct run run,
+                    struct run child[SPH_BT_CHILDREN]) {
     int n = 1, largest = 0;
     child[0] = run;
     while (n < SPH_BT_CHILDREN && largest >= 0) {
         largest = -1;
         for (int i = 0; i < n; i++)
             if (spheres(&child[i]) > 1 &&
-                (largest < 0 || size(w, &child[i]) > size(w, &child[largest])))
+                (largest < 0 || size(pairs, &child[i]) > size(pairs, &child[largest])))
                 largest = i;
-        if (largest >= 0) halves(w, &child[largest], &child[largest], &child[n]), n++;
+        if (largest >= 0) halves(pairs, &child[largest], &child[largest], &child[n]), n++;
     }
     return n;
-}
-
-/* The sphere around a run: see above. One that is larger than that around the grid becomes it. */
-static void enclose(const struct work *w, const struct run *run, int32_t ctr[3], int32_t *rad) {
-    const struct sph_profile *p = w->profile;
-    int k = p->w - p->fw, unused;
-    int64_t half = 1ll << (p->fw - 1), most = 0;
-    for (int i = 0; i < 3; i++) {
-        int64_t lo = INT64_MAX, hi = INT64_MIN;
-        for (uint32_t at = run->first; at <= run->last; at++) {
-            const struct sph_bt_leaf *leaf = &w->leaves[w->order[at]];
-            if (leaf->ctr[i] - leaf->rad < lo) lo = leaf->ctr[i] - leaf->rad;
-            if (leaf->ctr[i] + leaf->rad > hi) hi = leaf->ctr[i] + leaf->rad;
-        }
-        int64_t f = sph_round((lo + hi) >> 1, k);
-        ctr[i] = (int32_t)(f > half - 1 ? half - 1 : f < -half ? -half : f);
-    }
-    for (uint32_t at = run->first; at <= run->last; at++) {
-        const struct sph_bt_leaf *leaf = &w->leaves[w->order[at]];
-        sph_u128 sum = 0;
-        for (int i = 0; i < 3; i++) {
-            int64_t d = ctr[i] * (1ll << k) - leaf->ctr[i];
-            sum += (uint64_t)(d * d);
-        }
-        int inexact;
-        int64_t reach = (int64_t)sph_isqrt(sum, &inexact);
-        reach += inexact + leaf->rad;
-        if (reach > most) most = reach;
-    }
-    int64_t r = -(-most >> k), whole = (int64_t)sph_isqrt((uint64_t)(3 * half * half), &unused) + 1;
-    for (int i = 0; i < 3 && r > whole; i++)
-        ctr[i] = 0;
-    *rad = (int32_t)(r > whole ? whole : r);
 }
 
 uint32_t sph_bt_nodes(const struct sph_bt_leaf *leaves, const uint32_t *order, uint32_t n,
                       const struct sph_bt_pair *pairs, uint32_t root,
                       const struct sph_profile *profile, struct sph_bt_node *nodes) {
-    const struct work w = {leaves, order, pairs, profile};
     struct waiting stack[3 * SPH_STACK_DEPTH + 1];
     uint32_t waits = 1, made = 0, next = 1; /* next: the first line that is free */
     if (!n) {
@@ -120,7 +78,7 @@ uint32_t sph_bt_nodes(const struct sph_bt_leaf *leaves, const uint32_t *order, u
         struct sph_bt_node *node = &nodes[made];
         struct run found[SPH_BT_CHILDREN], child[SPH_BT_CHILDREN];
         if (spheres(&it.run) > 1ull << 2 * (SPH_STACK_DEPTH - it.level)) it.run.even = 1;
-        int opened = open_run(&w, it.run, found), n_children = 0;
+        int opened = open_run(pairs, it.run, found), n_children = 0;
         *node = (struct sph_bt_node){.base = next, .line = it.line};
         if (made) nodes[it.parent].child[it.slot] = made;
         for (int leaf = 0; leaf < 2; leaf++)
@@ -130,33 +88,16 @@ uint32_t sph_bt_nodes(const struct sph_bt_leaf *leaves, const uint32_t *order, u
                 *(leaf ? &node->n_leaf : &node->n_inner) += 1;
                 child[n_children++] = found[i];
             }
-        for (int i = 0; i < n_children; i++)
-            enclose(&w, &child[i], node->ctr[i], &node->rad[i]);
+        for (int i = 0; i < n_children; i++) {
+            struct sph_bt_ball ball;
+            sph_bt_enclose(leaves, order, child[i].first, child[i].last, profile, &ball);
+            memcpy(node->ctr[i], ball.ctr, sizeof ball.ctr);
+            node->rad[i] = ball.rad;
+        }
         for (uint32_t i = node->n_inner; i--;)
             stack[waits++] = (struct waiting){child[i], next + i, it.level + 1, made, i};
         next += node->n_inner + (node->n_leaf + 1u) / 2;
         made++;
     }
     return made;
-}
-
-int sph_bt_tree(const struct sph_bt_leaf *leaves, uint32_t n, const struct sph_profile *profile,
-                struct sph_bt_node **nodes, uint32_t *n_nodes, struct sph_error *err) {
-    uint32_t *order = malloc((n + 1ull) * sizeof *order);
-    uint64_t *spare = malloc((2ull * n + 1) * sizeof *spare);
-    struct sph_bt_pair *pairs = calloc(n + 1ull, sizeof *pairs);
-    *nodes = malloc((n + 1ull) * sizeof **nodes);
-    int made = order && spare && pairs && *nodes;
-    if (made) {
-        sph_bt_order(leaves, n, order, spare);
-        uint32_t root = sph_bt_chain(leaves, order, n, pairs);
-        *n_nodes = sph_bt_nodes(leaves, order, n, pairs, root, profile, *nodes);
-    } else {
-        free(*nodes);
-        *nodes = NULL;
-    }
-    free(order);
-    free(spare);
-    free(pairs);
-    return made ? 0 : sph_fail(err, "out of memory for a tree of %u spheres", n);
 }

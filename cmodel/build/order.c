@@ -1,9 +1,9 @@
-/* order.c - spheres along a Morton curve; see build_tree.h       RTL: rtl/build/rt_build_sort.v
+/* order.c - spheres along a Morton curve, or by z                 RTL: rtl/build/rt_build_sort.v
  * SPDX-License-Identifier: Apache-2.0
  *
- * A key has BUILD_AXIS bits of each coordinate, counted from the least centre, of which the longest
- * axis needs all: x in the highest place, then y, z. It is sorted by digits of BUILD_DIGIT bits,
- * the low ones first, each pass stable.
+ * A key of the curve has BUILD_AXIS bits of each coordinate, counted from the least centre, of
+ * which the longest axis needs all: x in the highest place, then y, z. One of the paper is z, which
+ * falls. Keys are sorted by digits of BUILD_DIGIT bits, the low ones first, each pass stable.
  */
 #include "build/build_tree.h"
 #include "machine/layout.h"
@@ -19,7 +19,8 @@ static uint32_t interleaved(const uint32_t v[3]) {
     return key;
 }
 
-void sph_bt_order(const struct sph_bt_leaf *leaves, uint32_t n, uint32_t *order, uint64_t *spare) {
+void sph_bt_order(const struct sph_bt_leaf *leaves, uint32_t n, int mode,
+                  const struct sph_profile *profile, uint32_t *order, uint64_t *spare) {
     int32_t lo[3] = {INT32_MAX, INT32_MAX, INT32_MAX}, hi[3] = {INT32_MIN, INT32_MIN, INT32_MIN};
     for (uint32_t id = 0; id < n; id++)
         for (int i = 0; i < 3; i++) {
@@ -37,7 +38,8 @@ void sph_bt_order(const struct sph_bt_leaf *leaves, uint32_t n, uint32_t *order,
         uint32_t v[3];
         for (int i = 0; i < 3; i++)
             v[i] = (uint32_t)(leaves[id].ctr[i] - lo[i]) >> shift;
-        from[id] = (uint64_t)interleaved(v) << 32 | id;
+        uint32_t falling = (uint32_t)((1 << (profile->w - 1)) - 1 - leaves[id].ctr[2]);
+        from[id] = (uint64_t)(mode == SPH_BUILD_PAPER ? falling : interleaved(v)) << 32 | id;
     }
     for (int low = 0; low < KEY_BITS; low += SPH_BUILD_DIGIT) {
         uint32_t place[DIGITS] = {0}, sum = 0;

@@ -52,11 +52,68 @@ static void put_node(uint32_t *memory, const struct sph_bt_job *job,
                RECORD_WORDS * sizeof *record);
 }
 
+void sph_bt_forget(struct sph_bt_kept *kept) {
+    free(kept->order);
+    free(kept->pairs);
+    *kept = (struct sph_bt_kept){0};
+}
+
+/* Order and binary tree. */
+static int plan(const struct sph_bt_leaf *leaves, uint32_t n, int mode,
+                const struct sph_profile *profile, struct sph_bt_kept *kept) {
+    uint64_t *spare = malloc((2ull * n + 1) * sizeof *spare);
+    kept->order = malloc((n + 1ull) * sizeof *kept->order);
+    kept->pairs = calloc(n + 1ull, sizeof *kept->pairs);
+    kept->n = n, kept->mode = mode;
+    int made = spare && kept->order && kept->pairs;
+    if (made) {
+        sph_bt_order(leaves, n, mode, profile, kept->order, spare);
+        if (mode == SPH_BUILD_CURVE) kept->root = sph_bt_chain(leaves, kept->order, n, kept->pairs);
+    } else {
+        sph_bt_forget(kept);
+    }
+    free(spare);
+    return made;
+}
+
+int sph_bt_tree(const struct sph_bt_leaf *leaves, uint32_t n, int mode,
+                const struct sph_profile *profile, struct sph_bt_kept *kept,
+                struct sph_bt_node **nodes, uint32_t *n_nodes, struct sph_error *err) {
+    struct sph_bt_kept own = {0}, *it = kept ? kept : &own;
+    struct sph_bt_ball *balls = malloc((n + 1ull) * sizeof *balls);
+    *nodes = malloc((n + 1ull) * sizeof **nodes);
+    int made = balls && *nodes;
+    if (made && mode != SPH_BUILD_REFIT) {
+        sph_bt_forget(it);
+        made = plan(leaves, n, mode, profile, it);
+    }
+    if (made) {
+        *n_nodes = it->mode == SPH_BUILD_PAPER
+                       ? sph_bt_groups(leaves, it->order, n, profile, balls, *nodes)
+                       : sph_bt_nodes(leaves, it->order, n, it->pairs, it->root, profile, *nodes);
+    } else {
+        free(*nodes);
+        *nodes = NULL;
+    }
+    free(balls);
+    sph_bt_forget(&own);
+    return made ? 0 : sph_fail(err, "out of memory for a tree of %u spheres", n);
+}
+
+int sph_bt_refused(const struct sph_bt_job *job, uint32_t most) {
+    const struct sph_bt_kept *kept = job->kept;
+    int refits = kept && kept->order && kept->n == job->n;
+    int knows = job->mode == SPH_BUILD_CURVE || job->mode == SPH_BUILD_PAPER ||
+                (job->mode == SPH_BUILD_REFIT && refits);
+    return (job->n > most ? SPH_BT_MANY : 0) |
+           (job->lines < sph_bt_lines(job->n) ? SPH_BT_ROOM : 0) | (knows ? 0 : SPH_BT_MODE);
+}
+
 int sph_bt_words(uint32_t *memory, const struct sph_bt_job *job, uint32_t most,
                  const struct sph_profile *profile, uint32_t *written, struct sph_error *err) {
     uint32_t n_nodes, n = job->n;
     *written = 0;
-    int wrong = (n > most ? SPH_BT_MANY : 0) | (job->lines < sph_bt_lines(n) ? SPH_BT_ROOM : 0);
+    int wrong = sph_bt_refused(job, most);
     if (wrong) return wrong;
     struct sph_bt_leaf *leaves = malloc((n + 1ull) * sizeof *leaves);
     struct sph_bt_node *nodes = NULL;
@@ -65,7 +122,9 @@ int sph_bt_words(uint32_t *memory, const struct sph_bt_job *job, uint32_t most,
         if (!read_leaf(memory + (size_t)(job->prim_base + id) * SPH_LINE_WORDS, id, profile,
                        &leaves[id]))
             wrong = SPH_BT_RECORD;
-    int failed = wrong ? wrong : sph_bt_tree(leaves, n, profile, &nodes, &n_nodes, err);
+    int failed = wrong
+                     ? wrong
+                     : sph_bt_tree(leaves, n, job->mode, profile, job->kept, &nodes, &n_nodes, err);
     if (!failed) {
         const struct sph_bt_node *end = &nodes[n_nodes - 1];
         for (uint32_t i = 0; i < n_nodes; i++)

@@ -209,7 +209,8 @@ static int put_tree(struct sph_machine *m, struct content *c, struct sph_error *
 /* Nodes and leaf records as rt_build makes them of the primitive records. */
 static int put_built(struct sph_machine *m, const struct sph_profile *p, struct sph_error *err) {
     uint32_t n = (uint32_t)m->regs[SPH_REG_N_PRIMS], written;
-    struct sph_bt_job job = {n, (uint32_t)m->regs[SPH_REG_PRIM_BASE], 0, UINT32_MAX};
+    struct sph_bt_job job = {
+        n, (uint32_t)m->regs[SPH_REG_PRIM_BASE], 0, UINT32_MAX, SPH_BUILD_CURVE, NULL};
     int reasons = sph_bt_words(m->mem, &job, n, p, &written, err);
     if (reasons <= 0) return reasons;
     return sph_fail(err, "a radius is not within 1 .. 2^%d - 1", p->w);
@@ -220,8 +221,8 @@ int sph_emit_memory(const struct sph_scene *scene, const struct sph_plants *plan
                     struct sph_error *err) {
     const struct sph_facets *facets = plants->facets;
     struct content c = {scene, tree, plants, NULL};
-    uint64_t base = tree_lines(tree, facets->n > 0);
-    int hardware = plants->kind == SPH_TREE_HW;
+    int hardware = plants->kind == SPH_TREE_HW; /* which asks for room for any tree */
+    uint64_t base = hardware ? sph_bt_lines(scene->n_spheres) : tree_lines(tree, facets->n > 0);
     if (sph_emit_alloc(machine, base + scene->n_spheres + 2ull * facets->n, err) ||
         (!hardware && put_tree(machine, &c, err)))
         return -1;

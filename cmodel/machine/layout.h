@@ -60,6 +60,9 @@
 #define SPH_BOX_CROSS 17
 #define SPH_BOX_FINE 4
 #define SPH_BOX_NEAR 11
+#define SPH_BUILD_CURVE 0
+#define SPH_BUILD_PAPER 1
+#define SPH_BUILD_REFIT 2
 #define SPH_BUILD_AXIS 8
 #define SPH_BUILD_DIGIT 6
 #define SPH_BUILD_STACK 32

@@ -8,6 +8,7 @@
 
 #include "common/file.h"
 #include "scene/aff_reader.h"
+#include "scene/inside.h"
 
 int sph_aff_path(const char *from, const char *name, char *path, size_t size) {
     const char *slash = strrchr(from, '/');
@@ -24,7 +25,8 @@ static const char *included(char *line) {
 }
 
 /* Bytes of a file and of those that its lines `i level FILE` name; *files: of how many more. */
-static double bytes_of(const char *path, int depth, uint32_t *files) {
+static double bytes_of(const struct sph_scene *scene, const char *path, int depth,
+                       uint32_t *files) {
     char *line = NULL, *inner = malloc(PATH_MAX);
     size_t room = 0;
     double bytes = 0;
@@ -33,8 +35,8 @@ static double bytes_of(const char *path, int depth, uint32_t *files) {
     for (ssize_t n; file && (n = getline(&line, &room, file)) > 0;) {
         bytes += (double)n;
         const char *name = included(line);
-        if (name && !sph_aff_path(path, name, inner, PATH_MAX))
-            bytes += bytes_of(inner, depth + 1, files);
+        if (name && !sph_aff_path(path, name, inner, PATH_MAX) && sph_scene_may_read(scene, inner))
+            bytes += bytes_of(scene, inner, depth + 1, files);
     }
     if (file) --*files, fclose(file);
     free(line);
@@ -44,7 +46,7 @@ static double bytes_of(const char *path, int depth, uint32_t *files) {
 
 void sph_aff_tell(struct sph_aff *a, const struct sph_progress *to, const char *path) {
     uint32_t files = SPH_AFF_INCLUDES;
-    if (to && to->show) a->to = to, a->all = bytes_of(path, 0, &files);
+    if (to && to->show) a->to = to, a->all = bytes_of(a->r.scene, path, 0, &files);
 }
 
 void sph_aff_tell_file(struct sph_aff *a) {

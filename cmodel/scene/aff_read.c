@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "scene/aff_reader.h"
+#include "scene/inside.h"
 #include "scene/nesting.h"
 
 int sph_aff_is(const char *path) {
@@ -67,6 +68,9 @@ static int take_include(struct sph_aff *a, struct sph_error *err) {
         return -1;
     if (sph_aff_path(a->r.lex.path, name, path, sizeof path))
         return sph_nff_fail(&a->r, err, "i", "the path of the file is too long");
+    if (!sph_scene_may_read(a->r.scene, path))
+        return sph_fail(err, "%s:%u: `i`: %s " SPH_OUTSIDE, a->r.lex.path, a->r.lex.token_line,
+                        name);
     return level > a->detail ? sph_nff_note(&a->r, SPH_READ_DETAIL, a->r.lex.token_line, err)
                              : include(a, path, err);
 }

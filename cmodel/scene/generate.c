@@ -14,6 +14,7 @@ const char sph_generate_help[] =
     "paper100          100 random spheres, one light (Borodavka 2015, Fig. 12; seed)\n"
     "interpenetrating  spheres that cut each other\n"
     "random            n spheres in a cube (n, seed)\n"
+    "swarm             4096 such spheres, each moving its own way (n, seed, drift)\n"
     "huge_tiny         one huge sphere under small and tiny ones\n"
     "icosphere         80, 320, 1280, 5120, 20480 triangles over a plane (size 1 to 5)\n"
     "scenario1         n spheres in a lattice, a plane, one light (Aroxa 2014, IV.B; n, radius)\n"
@@ -41,6 +42,7 @@ static const struct {
     {"paper100", sph_make_paper100, SPH_TAKES_SEED},
     {"interpenetrating", sph_make_interpenetrating, SPH_TAKES_NOTHING},
     {"random", sph_make_random, SPH_TAKES_N},
+    {"swarm", sph_make_random, SPH_TAKES_N},
     {"huge_tiny", sph_make_huge_tiny, SPH_TAKES_NOTHING},
     {"icosphere", sph_make_icosphere, SPH_TAKES_SIZE},
     {"scenario1", sph_make_scenario1, SPH_TAKES_N},
@@ -60,6 +62,10 @@ static const struct {
 };
 
 enum { N_MAKERS = sizeof makers / sizeof makers[0] };
+
+/* Of a swarm, if nothing else is said: spheres, scene units a frame. */
+#define SWARM 4096
+#define SWARM_DRIFT 0.1
 
 static int check_distinct(const struct sph_scene *scene, struct sph_error *err) {
     uint32_t first, second;
@@ -103,8 +109,9 @@ int sph_generate(const char *kind, const struct sph_generate_options *options,
     struct sph_generate_options o = {0};
     if (options) o = *options;
     if (!o.size) o.size = 2;
-    int scenario = !strncmp(kind, "scenario", strlen("scenario"));
-    if (!o.n) o.n = scenario ? 64 : 1000;
+    int scenario = !strncmp(kind, "scenario", strlen("scenario")), swarm = !strcmp(kind, "swarm");
+    if (!o.n) o.n = scenario ? 64 : swarm ? SWARM : 1000;
+    if (swarm && !(o.drift > 0 || o.drift < 0)) o.drift = SWARM_DRIFT;
     if (!(o.radius != 0)) o.radius = 1;
     if (!o.width && !o.height) o.width = scenario ? 640 : 320, o.height = scenario ? 1088 : 180;
     memset(scene, 0, sizeof *scene);

@@ -8,12 +8,13 @@
 
 struct sph_generate_options {
     int size;          /* sphereflake, icosphere, jacks and so on: 1 to 5; 0 means 2 */
-    uint32_t n;        /* random, scenarios: spheres, 1 to SPH_MAX_SPHERES; 0 means 1000, 64 */
+    uint32_t n;        /* random, swarm, scenarios: spheres, 1 to SPH_MAX_SPHERES; 0 means 1000,
+                          4096, 64 */
     uint64_t seed;     /* paper5, paper100, random, scenario2, 3: another choice of spheres */
     double radius;     /* scenarios; 0 means 1 */
     int plain;         /* scenarios: materials without highlights and Whitted's sum */
     double drift;      /* scene units a frame of every sphere, polygon and cone, up to
-                          SPH_NUMBER_MAX; 0: they are still */
+                          SPH_NUMBER_MAX; 0: they are still, of swarm 0.1 */
     double orbit;      /* degrees a frame of the camera, up to one turn; 0: it is still */
     int width, height; /* resolution; 0 means 320 x 180, scenarios 640 x 1088 */
 };
@@ -36,6 +37,7 @@ int sph_generate_parse(const char *text, char kind[32], struct sph_generate_opti
  *                    one light, mirror weight 0.3, eye on +z looking along -z
  *   interpenetrating spheres that cut each other
  *   random           n spheres in a cube, as dense for every n
+ *   swarm            the same spheres, each moving its own way
  *   huge_tiny        one huge sphere under small and tiny ones (radii 1000 to 0.02)
  *   icosphere        20 * 4^size triangles, a closed mesh, over a plane
  *   scenario1, 2, 3  Aroxa 2014, IV.B: n spheres in a cube over a plane, in a lattice, in the

@@ -43,6 +43,7 @@ int sph_import(const char *path, enum sph_file_kind kind, const struct sph_impor
     if (options) o = *options;
     memset(scene, 0, sizeof *scene);
     scene->ledger.strict = o.strict;
+    scene->allow_paths = o.allow_paths;
     sph_scene_set_path(scene, path);
     scene->camera.width = o.width || o.height ? o.width : 320;
     scene->camera.height = o.width || o.height ? o.height : 180;

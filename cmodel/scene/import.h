@@ -24,6 +24,7 @@ struct sph_import_options {
     char up;            /* of a mesh: 'x', 'y', 'z'; 0: as its format has it */
     int skip;           /* of a mesh: leave out images and materials that are not there */
     int strict;         /* of ledger.h */
+    int allow_paths;    /* of a mesh: files that it names may lie anywhere: inside.h */
 };
 
 /* Whether a file of this kind is read by sph_import(). */

@@ -38,9 +38,11 @@ int sph_ply_check(const char *path, struct sph_scene *scene, struct sph_mesh_lin
 int sph_stl_check(const char *path, struct sph_scene *scene, struct sph_mesh_lines *lines,
                   struct sph_error *err);
 
-/* The path of what the file at `of` calls `name`: in its folder, with / for \ if nothing is there
- * otherwise. -1 if it cannot be read, or is too long. */
-int sph_mesh_beside(const char *of, const char *name, char *path, size_t size);
+/* The path of what the file at `of`, of the scene, calls `name`: in its folder, with / for \ if
+ * nothing is there otherwise. NULL, or what is wrong: it cannot be read, is too long, or the scene
+ * may not read it (inside.h). */
+const char *sph_mesh_beside(const struct sph_scene *scene, const char *of, const char *name,
+                            char *path, size_t size);
 
 /* ---- a text, line by line ---- */
 

@@ -129,10 +129,10 @@ static int take_map(struct obj *o, struct sph_text *t, struct sph_error *err) {
     }
     if (options && note_part(o, t, SPH_READ_PART_OTHER, err)) return -1;
     if (!*name) return sph_fail(err, "%s:%u: `map_Kd`: no file", t->path, t->line);
-    if (!sph_mesh_beside(t->path, name, path, sizeof path))
-        return note_part(o, t, SPH_READ_PART, err);
+    const char *wrong = sph_mesh_beside(o->scene, t->path, name, path, sizeof path);
+    if (!wrong) return note_part(o, t, SPH_READ_PART, err);
     if (o->skip) return note_part(o, t, SPH_READ_MISSING, err);
-    return sph_fail(err, "%s:%u: `map_Kd`: image %.200s cannot be read", t->path, t->line, name);
+    return sph_fail(err, "%s:%u: `map_Kd`: image %.200s %s", t->path, t->line, name, wrong);
 }
 
 static int take_part(struct obj *o, struct sph_text *t, struct sph_error *err) {
@@ -157,10 +157,10 @@ static int take_part(struct obj *o, struct sph_text *t, struct sph_error *err) {
 
 static int take_library(struct obj *o, struct sph_error *err) {
     char path[512], *name = take_name(&o->text);
-    if (sph_mesh_beside(o->text.path, name, path, sizeof path)) {
+    const char *wrong = sph_mesh_beside(o->scene, o->text.path, name, path, sizeof path);
+    if (wrong) {
         if (o->skip) return note(o, SPH_READ_MISSING, err);
-        return sph_fail(err, "%s:%u: `mtllib`: %.200s cannot be read", o->text.path, o->text.line,
-                        name);
+        return sph_fail(err, "%s:%u: `mtllib`: %.200s %s", o->text.path, o->text.line, name, wrong);
     }
     struct sph_text t;
     if (sph_text_open(&t, path, err)) return -1;

@@ -8,6 +8,7 @@
 
 #include "common/file.h"
 #include "common/number.h"
+#include "scene/inside.h"
 #include "scene/mesh.h"
 
 int sph_text_open(struct sph_text *t, const char *path, struct sph_error *err) {
@@ -86,13 +87,16 @@ void sph_mesh_lines_free(struct sph_mesh_lines *l) {
     *l = (struct sph_mesh_lines){0};
 }
 
-int sph_mesh_beside(const char *of, const char *name, char *path, size_t size) {
+const char *sph_mesh_beside(const struct sph_scene *scene, const char *of, const char *name,
+                            char *path, size_t size) {
+    static const char unread[] = "cannot be read";
     const char *slash = strrchr(of, '/');
     int folder = slash && name[0] != '/' ? (int)(slash - of) + 1 : 0;
     int n = snprintf(path, size, "%.*s%s", folder, of, name);
-    if (n < 0 || (size_t)n >= size) return -1;
-    if (!access(path, R_OK)) return 0;
-    for (char *c = path + folder; (c = strchr(c, '\\')) != NULL;)
+    if (n < 0 || (size_t)n >= size) return unread;
+    int there = !access(path, R_OK);
+    for (char *c = path + folder; !there && (c = strchr(c, '\\')) != NULL;)
         *c = '/';
-    return access(path, R_OK) ? -1 : 0;
+    if (!sph_scene_may_read(scene, path)) return SPH_OUTSIDE;
+    return access(path, R_OK) ? unread : NULL;
 }

@@ -202,6 +202,7 @@ void sph_nff_start(struct sph_reader *r, struct sph_scene *scene,
                    const struct sph_read_options *options) {
     r->scene = scene;
     scene->ledger.strict = options && options->strict;
+    scene->allow_paths = options && options->allow_paths;
     r->skip = options && options->skip_unsupported;
     r->round = options && options->round > 0 ? options->round : SPH_FRUSTUM_ROUND;
 }

@@ -93,8 +93,8 @@ int sph_nff_take_shadows(struct sph_reader *r, struct sph_error *err);
 int sph_nff_take_texture(struct sph_reader *r, struct sph_error *err);
 
 /* Takes the name of an image: path is the scene file's folder and the name; of AFF the folder of
- * the file that is read, or where no such file is, TextureFiles beside that folder. 1; 0 for the
- * bare word `none`; -1 with a message. */
+ * the file that is read, or TextureFiles beside that folder, if the file is there alone. 1; 0 for
+ * the bare word `none`; -1 with a message: the scene may not read it (inside.h), too. */
 int sph_nff_image(struct sph_reader *r, const char *record, char path[512], struct sph_error *err);
 
 /* Takes `srgb` or `linear` if one of them comes next: SPH_COLOURS_*. */

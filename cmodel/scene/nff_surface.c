@@ -5,6 +5,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "scene/inside.h"
 #include "scene/nff_reader.h"
 
 int sph_nff_material(struct sph_reader *r, const char *record, const char *what, uint32_t *material,
@@ -180,10 +181,16 @@ int sph_nff_image(struct sph_reader *r, const char *record, char path[512], stru
     const char *scene = r->lex.aff ? r->lex.path : r->scene->path, *slash = strrchr(scene, '/');
     int folder = slash && name[0] != '/' ? (int)(slash - scene) + 1 : 0;
     int length = snprintf(path, SIZE, "%.*s%s", folder, scene, name);
-    if (r->lex.aff && name[0] != '/' && length < SIZE && access(path, F_OK))
-        length = snprintf(path, SIZE, "%.*s../TextureFiles/%s", folder, scene, name);
+    if (r->lex.aff && name[0] != '/' && length < SIZE && access(path, F_OK)) {
+        char beside[SIZE];
+        int n = snprintf(beside, SIZE, "%.*s../TextureFiles/%s", folder, scene, name);
+        if (n < SIZE && !access(beside, F_OK)) memcpy(path, beside, SIZE), length = n;
+    }
     if (length >= SIZE)
         return sph_nff_fail(r, err, record, "the path of the image file is too long");
+    if (!sph_scene_may_read(r->scene, path))
+        return sph_fail(err, "%s:%u: `%s`: image %s " SPH_OUTSIDE, r->lex.path, r->lex.token_line,
+                        record, name);
     return 1;
 }
 

@@ -44,6 +44,7 @@ int sph_scene_read(const char *text, const struct sph_read_options *options,
         if (options)
             o = (struct sph_import_options){.strict = options->strict,
                                             .skip = options->skip_unsupported,
+                                            .allow_paths = options->allow_paths,
                                             .camera = options->camera,
                                             .radius = options->radius,
                                             .up = options->up};

@@ -123,6 +123,7 @@ struct sph_read_options {
     int skip_unsupported; /* leave out pb, ...: render the rest */
     int strict;           /* of ledger.h */
     double round;         /* of cones, see frustum.h; 0: SPH_FRUSTUM_ROUND */
+    int allow_paths;      /* files that it names may lie anywhere: inside.h */
     uint32_t at;          /* frame that primitives and camera are moved to (motion.h, aff.h) */
     int timed;            /* of AFF: at this time, whatever the frame */
     double time;
@@ -151,6 +152,7 @@ struct sph_scene {
     struct sph_flight *flights; /* by frame, rising: where the camera goes from frame 0 on */
     struct sph_frustum *frusta; /* as the file has them, not moved: for sph_scene_write() */
     struct sph_ledger ledger;   /* what became of each record */
+    int allow_paths;            /* files that it names may lie anywhere: inside.h */
     int aff;                    /* read from AFF (aff.h), by these options */
     struct sph_read_options read;
     uint32_t n_files; /* what it includes, by path */

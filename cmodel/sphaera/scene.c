@@ -25,6 +25,7 @@ static int read_options(const sphaera_read_options *from, const char *name,
     if (sph_api_whole("timed", from->timed, 0, 1, err) ||
         sph_api_whole("skip_unsupported", from->skip_unsupported, 0, 1, err) ||
         sph_api_whole("strict", from->strict, 0, 1, err) ||
+        sph_api_whole("allow_paths", from->allow_paths, 0, 1, err) ||
         (from->timed && sph_api_real("time", from->time, -1e9, 1e9, err)) ||
         (from->round != 0 &&
          sph_api_real("round", from->round, SPH_FRUSTUM_ROUND_MIN, SPH_FRUSTUM_ROUND_MAX, err)))
@@ -36,6 +37,7 @@ static int read_options(const sphaera_read_options *from, const char *name,
         return sph_fail(err, "%.400s: time is for AFF scenes; frames of others are `at`", name);
     *to = (struct sph_read_options){.skip_unsupported = from->skip_unsupported,
                                     .strict = from->strict,
+                                    .allow_paths = from->allow_paths,
                                     .round = from->round,
                                     .at = from->at,
                                     .timed = from->timed,
@@ -93,15 +95,23 @@ int sphaera_scene_read(const char *path, uint32_t at, sphaera_scene **scene, sph
     return sphaera_scene_read_with(path, &options, scene, error);
 }
 
-int sphaera_scene_parse(const char *text, size_t length, const char *name, uint32_t at,
-                        sphaera_scene **scene, sphaera_error *error) {
-    sphaera_read_options options;
+int sphaera_scene_parse_with(const char *text, size_t length, const char *name,
+                             const sphaera_read_options *options, sphaera_scene **scene,
+                             sphaera_error *error) {
+    sphaera_read_options defaults;
     if (sph_api_null(text, "text", error) || sph_api_null(name, "name", error) ||
         sph_api_null(scene, "scene", error))
         return -1;
+    sphaera_read_init(&defaults);
+    return make(text, length, name, options ? options : &defaults, scene, error);
+}
+
+int sphaera_scene_parse(const char *text, size_t length, const char *name, uint32_t at,
+                        sphaera_scene **scene, sphaera_error *error) {
+    sphaera_read_options options;
     sphaera_read_init(&options);
     options.at = at;
-    return make(text, length, name, &options, scene, error);
+    return sphaera_scene_parse_with(text, length, name, &options, scene, error);
 }
 
 void sphaera_arrays_init(sphaera_arrays *arrays) {

@@ -73,14 +73,19 @@ typedef struct sphaera_read_options {
     char up;              /* of a mesh: 'x', 'y', 'z'; 0: as its format has it */
     int skip_unsupported; /* 1: leave out patches instead of refusing the scene */
     int strict;           /* 1: what is not used as it stands is an error, with file and line */
+    int allow_paths;      /* 1: files that the scene names may lie anywhere; 0: in its folder and
+                             below, of AFF in TextureFiles beside it too */
     sphaera_progress progress; /* NULL: nobody is told */
     void *user;
 } sphaera_read_options;
 SPHAERA_API void sphaera_read_init(sphaera_read_options *options);
 
-/* sphaera_scene_read() with all options; NULL: the defaults. */
+/* sphaera_scene_read() and sphaera_scene_parse() with all options; NULL: the defaults. */
 SPHAERA_API int sphaera_scene_read_with(const char *path, const sphaera_read_options *options,
                                         sphaera_scene **scene, sphaera_error *error);
+SPHAERA_API int sphaera_scene_parse_with(const char *text, size_t length, const char *name,
+                                         const sphaera_read_options *options, sphaera_scene **scene,
+                                         sphaera_error *error);
 
 /* A scene in arrays of the caller, which are copied. Numbers are finite, of at most 1e30, colours
  * and shares 0..1, material numbers rows of `materials`. Ids are rows of the spheres, then of the

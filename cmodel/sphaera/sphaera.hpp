@@ -267,6 +267,12 @@ class Scene {
         return Scene(detail::make<sphaera_scene>(sphaera_scene_parse, text.data(), text.size(),
                                                  name.c_str(), at));
     }
+    static Scene parse(const std::string &text, const std::string &name,
+                       const ReadOptions &options) {
+        return Scene(detail::make<sphaera_scene>(
+            sphaera_scene_parse_with, text.data(), text.size(), name.c_str(),
+            static_cast<const sphaera_read_options *>(&options)));
+    }
     static Scene make(const Arrays &arrays) {
         return Scene(detail::make<sphaera_scene>(sphaera_scene_make,
                                                  static_cast<const sphaera_arrays *>(&arrays)));

@@ -44,6 +44,7 @@ enum {
     KEY_SKIP,
     KEY_ROUND,
     KEY_STRICT,
+    KEY_ALLOW,
     KEY_STYLE,
     KEY_COLOR,
     KEY_CAMERA,
@@ -54,7 +55,7 @@ static const struct argp_option gen_options[] = {
     {"output", 'o', "FILE.nff", 0, "scene to write (default: standard output)", 0},
     {"size", KEY_SIZE, "N", 0,
      "sphereflake: levels, icosphere: cuts, jacks and so on: how many, 1 to 5 (2)", 0},
-    {"spheres", 'n', "N", 0, "random, scenarios: number of spheres (1000, 64)", 0},
+    {"spheres", 'n', "N", 0, "random, swarm, scenarios: number of spheres (1000, 4096, 64)", 0},
     {"radius", KEY_RADIUS, "R", 0, "scenarios: of every sphere (1)", 0},
     {"plain", KEY_PLAIN, NULL, 0,
      "scenarios: materials without highlights, ambient share and Whitted's sum", 0},
@@ -69,6 +70,8 @@ static const struct argp_option gen_options[] = {
 static const struct argp_option import_options[] = {
     {"output", 'o', "FILE.nff", 0, "scene to write (default: standard output)", 0},
     {"resolution", KEY_RESOLUTION, "WxH", 0, "frame in pixels (320x180; AFF: the scene's)", 0},
+    {"allow-paths", KEY_ALLOW, NULL, 0,
+     "files that the scene names may lie anywhere, not only in its folder and below", 0},
     {"strict", KEY_STRICT, NULL, 0, "what is not used as it stands is an error", 0},
     {NULL, 0, NULL, 0, "Molecules, points and meshes:", 1},
     {"radius", KEY_RADIUS, "R", 0,
@@ -163,6 +166,9 @@ static error_t parse_import(int key, char *arg, struct argp_state *state) {
     switch (key) {
     case KEY_STRICT:
         a->aff.read.strict = a->import.strict = 1;
+        return 0;
+    case KEY_ALLOW:
+        a->aff.read.allow_paths = a->import.allow_paths = 1;
         return 0;
     case KEY_RADIUS:
         a->import.radius = real(state, "--radius", arg);

@@ -18,17 +18,19 @@
 struct arguments {
     const char *input, *json;
     int pixel[2]; /* x, y; -1: none asked for */
-    int stages, strict;
+    int stages, strict, allow_paths;
     struct tool_outputs outputs;
 };
 
-enum { KEY_JSON = 512, KEY_PIXEL, KEY_STAGES, KEY_STRICT };
+enum { KEY_JSON = 512, KEY_PIXEL, KEY_STAGES, KEY_STRICT, KEY_ALLOW };
 
 static const struct argp_option options[] = {
     {"pixel", KEY_PIXEL, "X,Y", 0, "the rays of this pixel as a tree, with what each finds", 0},
     {"stages", KEY_STAGES, NULL, 0,
      "... and each stage of each of these rays, with its numbers bit for bit", 0},
     {"strict", KEY_STRICT, NULL, 0, "what is not used as it stands is an error", 0},
+    {"allow-paths", KEY_ALLOW, NULL, 0,
+     "files that a scene names may lie anywhere, not only in its folder and below", 0},
     {"json", KEY_JSON, "FILE", 0, "report as JSON (- : on standard output instead of text)", 0},
     {0},
 };
@@ -49,6 +51,9 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         return 0;
     case KEY_STRICT:
         a->strict = 1;
+        return 0;
+    case KEY_ALLOW:
+        a->allow_paths = 1;
         return 0;
     case KEY_STAGES:
         a->stages = 1;
@@ -82,7 +87,7 @@ static int read_other(const struct arguments *a, enum sph_file_kind kind, struct
                                err);
     }
     struct sph_scene scene;
-    const struct sph_read_options how = {.strict = a->strict};
+    const struct sph_read_options how = {.strict = a->strict, .allow_paths = a->allow_paths};
     if (sph_scene_read(a->input, &how, &scene, err)) return -1;
     struct sph_mip *mips = NULL;
     *ledger = scene.ledger;

@@ -17,6 +17,7 @@ enum {
     REGISTERS = 1u << 31, /* addresses from here on are registers */
     WORDS = 64,           /* the most of a packet */
     WAIT = 3000,          /* ms for an answer */
+    TIMES = 4,            /* that a packet is sent, until it arrives whole */
     POLLS = 20000         /* of STATUS, for a frame */
 };
 
@@ -49,22 +50,33 @@ static void take(struct link *l, uint8_t *bytes, size_t n) {
     }
 }
 
-/* Sends a packet, whose check is added, and takes the answer of so many bytes and a letter. */
-static void talk(struct link *l, uint8_t *packet, size_t n, uint8_t *answer, size_t bytes) {
-    uint8_t sum = 0, last = 0;
-    for (size_t i = 0; i < n; i++)
-        sum = (uint8_t)(sum + packet[i]);
-    packet[n++] = (uint8_t)-sum;
+static void put(struct link *l, const uint8_t *bytes, size_t n) {
     for (size_t done = 0; done < n && !l->failed;) {
-        ssize_t put = write(l->fd, packet + done, n - done);
+        ssize_t put = write(l->fd, bytes + done, n - done);
         if (put > 0)
             done += (size_t)put;
         else if (errno != EINTR)
             fail(l, strerror(errno));
     }
-    if (bytes) take(l, answer, bytes);
-    take(l, &last, 1);
-    if (!l->failed && last != 'K') fail(l, last == 'E' ? "refused" : "an answer of another kind");
+}
+
+/* Sends a packet, whose check is added, and takes the answer: a letter, and so many bytes. Of one
+ * that did not arrive whole nothing was done: it is sent again. */
+static void talk(struct link *l, uint8_t *packet, size_t n, uint8_t *answer, size_t bytes) {
+    uint8_t sum = 0, said = 'N';
+    for (size_t i = 0; i < n; i++)
+        sum = (uint8_t)(sum + packet[i]);
+    packet[n++] = (uint8_t)-sum;
+    for (int i = 0; i < TIMES && said == 'N' && !l->failed; i++) {
+        tcflush(l->fd, TCIFLUSH); /* what noise of a silent line was answered with */
+        put(l, packet, n);
+        take(l, &said, 1);
+    }
+    if (!l->failed && said != 'K')
+        fail(l, said == 'E'   ? "refused"
+                : said == 'N' ? "packets do not arrive whole"
+                              : "an answer of another kind");
+    take(l, answer, bytes);
 }
 
 static void word(uint8_t *to, uint32_t value) {

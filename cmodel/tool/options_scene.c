@@ -23,7 +23,8 @@ enum {
     KEY_WALL,
     KEY_CAMERA,
     KEY_RADIUS,
-    KEY_UP
+    KEY_UP,
+    KEY_ALLOW
 };
 
 static const struct argp_option options[] = {
@@ -57,6 +58,8 @@ static const struct argp_option options[] = {
     {"radius", KEY_RADIUS, "R", 0,
      "of points without one (tables 1; meshes without faces: by their number)", 1},
     {"up", KEY_UP, "x|y|z", 0, "of meshes without a camera: the axis that is up (y, of STL z)", 1},
+    {"allow-paths", KEY_ALLOW, NULL, 0,
+     "files that the scene names may lie anywhere, not only in its folder and below", 1},
     {"strict", KEY_STRICT, NULL, 0,
      "whatever of the scene is not used as it stands is an error, which names file and line", 1},
     {"round", KEY_ROUND, "E", 0,
@@ -114,6 +117,9 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         break;
     case KEY_STRICT:
         s->read.strict = 1;
+        break;
+    case KEY_ALLOW:
+        s->read.allow_paths = 1;
         break;
     case KEY_CAMERA:
         s->read.camera = arg;

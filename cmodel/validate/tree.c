@@ -10,7 +10,8 @@
 
 struct walk {
     const struct sph_machine *m;
-    uint8_t *used;  /* per line below PRIM_BASE */
+    uint32_t end;   /* its lines stand below: before the records, or anywhere behind them */
+    uint8_t *used;  /* per line below that */
     uint8_t *found; /* per primitive */
 };
 
@@ -20,16 +21,15 @@ static int check_node(struct walk *w, uint32_t line, int level, struct sph_error
     uint32_t base = sph_field(node, SPH_NODE_BASE_LSB, SPH_NODE_BASE_BITS);
     uint32_t n_inner = sph_field(node, SPH_NODE_N_INNER_LSB, SPH_NODE_N_INNER_BITS);
     uint32_t n_leaf = sph_field(node, SPH_NODE_N_LEAF_LSB, SPH_NODE_N_LEAF_BITS);
-    uint32_t group = n_inner + (uint32_t)sph_record_lines(sph_whole(w->m), n_leaf),
-             end = (uint32_t)w->m->regs[SPH_REG_PRIM_BASE];
+    uint32_t group = n_inner + (uint32_t)sph_record_lines(sph_whole(w->m), n_leaf);
     if (level > SPH_STACK_DEPTH)
         return sph_fail(err, "line %u: node on level %d, the stack has %d", line, level,
                         SPH_STACK_DEPTH);
     if (n_inner + n_leaf > 4)
         return sph_fail(err, "line %u: node of %u children", line, n_inner + n_leaf);
-    if (group && (base <= line || (uint64_t)base + group > end))
+    if (group && (base <= line || (uint64_t)base + group > w->end))
         return sph_fail(err, "line %u: children at line %u, not in %u..%u", line, base, line + 1,
-                        end - 1);
+                        w->end - 1);
     for (uint32_t i = 0; i < group; i++)
         if (w->used[base + i]++)
             return sph_fail(err, "line %u: child line %u belongs to another node", line, base + i);
@@ -55,7 +55,8 @@ int sph_validate_tree(const struct sph_machine *m, struct sph_error *err) {
     if (m->regs[SPH_REG_TREE] == SPH_TREE_BOX4 && sph_machine_effect(m, SPH_EFFECT_FIRST))
         return sph_fail(err, "register EFFECTS is %d: FIRST is not for TREE %d",
                         m->regs[SPH_REG_EFFECTS], SPH_TREE_BOX4);
-    struct walk w = {m, calloc((size_t)m->regs[SPH_REG_PRIM_BASE], 1), calloc(n + 1u, 1)};
+    uint32_t prims = (uint32_t)m->regs[SPH_REG_PRIM_BASE], end = root < prims ? prims : m->lines;
+    struct walk w = {m, end, calloc(end, 1), calloc(n + 1u, 1)};
     int result;
     if (w.used && w.found) {
         w.used[root] = 1;

@@ -150,7 +150,9 @@ static int check_memory(const struct sph_machine *m, struct sph_error *err) {
     RANGE(SMOOTH_BASE, 0, sph_machine_effect(m, SPH_EFFECT_SMOOTH) ? m->lines : 0);
     RANGE(TEX_FILTER, 0, sph_machine_effect(m, SPH_EFFECT_TEXTURE) ? 3 : 0);
     RANGE(COARSE, 0, sph_machine_effect(m, SPH_EFFECT_TEXTURE) ? SPH_LOD_BITS : 0);
-    RANGE(ROOT, 0, r[SPH_REG_PRIM_BASE] - 1);
+    int64_t prims = r[SPH_REG_PRIM_BASE], behind = prims + r[SPH_REG_N_PRIMS];
+    int built = r[SPH_REG_ROOT] >= behind; /* by rt_top, which has a place there */
+    RANGE(ROOT, built ? behind : 0, built ? m->lines - 1 : prims - 1);
     RANGE(VISIT_LIMIT, 1, 0xffffff);
     RANGE(TREE, 1, SPH_TREE_LAST);
     if (!sph_machine_effect(m, SPH_EFFECT_CAMERA)) RANGE(ONE_CAMERA, 0, 0);

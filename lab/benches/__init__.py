@@ -107,10 +107,11 @@ class Line(Built):
     def of_sources(self, folder, edited=()):
         """The bench of the sources; folders of edited ones first."""
         top = next(n for d in (*edited, "rtl/*") for n in glob.glob(f"{d}/{self.top}.v"))
+        rules = glob.glob(f"tb/*/{self.top}_rules.sv")
         return self.around(folder, ["--language", "1364-2005", "-Wall", "--x-assign", "unique",
                                     *folders(*edited), *(f"-G{n}={v}" for n, v in self.parameters),
+                                    *(["+1800-2017ext+sv", "-Iformal", *rules] if rules else []),
                                     top], effort=self.effort())
-
 
     def kept(self):
         """The bench of the sources, made anew as far as it is old."""

@@ -234,13 +234,12 @@ class Planting:
         return told_core(rc, text)
 
     def by_top(self, judge):
-        data, layers = (*judge.words, "64", "0")[:2] if len(judge.words) != 1 else (
-            judge.words[0], "0")
+        data, layers, trees = (*judge.words, *("64", "0", "0")[len(judge.words):])
         core, machines = self.shop.top
         make = ["make", "-s", "--no-print-directory", "-f", "make/rt_top.mk",
                 f"B={self.simulation()}", f"RTL={self.tree(judge, 'rtl')}/rtl", f"DATA={data}",
-                f"LAYERS={layers}", f"CORE={core}", f"MACHINES={machines}", "BENCH=tb_shell",
-                "SEED=1"]
+                f"LAYERS={layers}", f"TREES={trees}", f"CORE={core}", f"MACHINES={machines}",
+                "BENCH=tb_shell", "SEED=1"]
         self.shop.must([*make, "top"], self.say)
         rc, text = self.shop.run([*make, "run"], self.say)
         if rc and re.search("^not ok", text, re.M) and not CRASH.search(text):
@@ -368,6 +367,13 @@ class Planting:
         rc, text = self.shop.run(["env", "-C", tree, "python3", "-m", "lab", "reset", "build",
                                   *judge.words], self.say)
         if rc == 1 and re.search("^not ok.* is [x1] in clock", text, re.M):
+            return "noticed", how(text)
+        return ("broken", f"ends with {rc}") if rc else ("passed", "")
+
+    def by_crossings(self, judge):
+        rc, text = self.shop.run(["python3", "-m", "lab", "crossings", *judge.words, "--rtl",
+                                  f"{self.tree(judge, 'rtl')}/rtl"], self.say)
+        if rc == 1 and re.search("^not ok", text, re.M):
             return "noticed", how(text)
         return ("broken", f"ends with {rc}") if rc else ("passed", "")
 

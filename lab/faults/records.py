@@ -17,12 +17,14 @@ There may be several files in a record, each with its from and to, and several j
                                    `sphaera build`, of the harness; textured: a core of just what
                                    the scene asks for; piped: with three pipes
     bench PATTERN [case N]         lines of tb/benches.txt; of a named hard case the vectors alone
-    top [WIDTH [LAYERS]]           rt_top around the sound model, under its driver
+    top [WIDTH [LAYERS [TREES]]]   rt_top around the sound model, under its driver; TREES: spheres
+                                   that it builds trees of
     hard N                         the model, in a named case of build/test/hard
     test NAME                      the model, in a test of tests/
     naive                          the naive model draws the scene of `agree` otherwise
     proof NAME                     a proof of formal/proofs.txt
     reset MODULE                   lab.reset: what is quiet after a clock of reset
+    crossings MODULE               lab.ip.crossings: paths between clocks of its netlist
 """
 import difflib
 import glob
@@ -31,15 +33,17 @@ import re
 from dataclasses import dataclass, field
 
 from .. import benches
+from ..ip import crossings
 
 LISTS = "tests/faults/*.txt"
-FOLDERS = {"model": "cmodel", "rtl": "rtl", "formal": "formal"}
-KEYS = ("fault", "rule", *FOLDERS, "from", "to", "by", "more", "agree")
+FOLDERS = {"model": "cmodel", "rtl": "rtl", "formal": "formal", "driver": "driver", "lab": "lab"}
+KEYS = ("fault", "rule", *FOLDERS, "from", "to", "by", "more", "agree", "same")
 # judge: the groups that `--by` takes, sides that it is planted in
 JUDGES = {"core": ("core", "rtl"), "textured": ("core", "rtl"), "piped": ("core", "rtl"),
           "bench": ("bench", "rtl"), "case": ("case", "rtl"), "top": ("top", "rtl"),
           "hard": ("hard", "model"), "test": ("test", "model"), "naive": ("agree", "model"),
-          "agree": ("agree", "model rtl"), "proof": ("proof", ""), "reset": ("reset", "rtl")}
+          "agree": ("agree", "model rtl"), "proof": ("proof", ""), "reset": ("reset", "rtl"),
+          "crossings": ("crossings", "rtl")}
 GROUPS = tuple(dict.fromkeys(group for group, _ in JUDGES.values()))
 
 
@@ -78,6 +82,7 @@ class Record:
     file: str
     line: int
     rule: str = ""
+    same: str = ""
     edits: list = field(default_factory=list)
     judges: list = field(default_factory=list)
 
@@ -157,13 +162,14 @@ def nearest(word, known):
 class Reader:
     """Reads lists; `wrong` has what is not as it has to be."""
 
-    def __init__(self):
-        self.records, self.wrong = [], []
+    def __init__(self, judged=True):
+        self.records, self.wrong, self.judged = [], [], judged
         self.known = {
             "bench": [bench.name for bench in benches.every("build")],
             "proof": proofs(),
             "test": {os.path.basename(n)[:-2] for n in glob.glob("tests/*/test_*.c")},
             "reset": {os.path.basename(n)[:-2] for n in glob.glob("rtl/*/*.v")},
+            "crossings": crossings.TOPS,
             "cases": named_cases()}
 
     def say(self, file, line, what):
@@ -200,7 +206,9 @@ class Reader:
             if record.rule:
                 self.say(record.file, number, "rule: has the record already")
             record.rule = value
-        elif key in ("by", "more", "agree"):
+        elif key == "same" and not self.judged:
+            record.same = value
+        elif key in ("by", "more", "agree") and self.judged:
             self.judge(record, key, value, number)
         else:
             self.say(record.file, number, f"{key}: is no field{nearest(key, KEYS)}")
@@ -228,7 +236,7 @@ class Reader:
     def unfit(self, judge):
         """Why a judge cannot be; empty: it can."""
         kind, words = judge.kind, judge.words
-        counts = {"top": (0, 2), "naive": (0, 0), "bench": (1, 1), "case": (3, 3)}
+        counts = {"top": (0, 3), "naive": (0, 0), "bench": (1, 1), "case": (3, 3)}
         least, most = counts.get(kind, (1, 1 if JUDGES[kind][0] not in ("core", "agree") else 99))
         if not least <= len(words) <= most:
             return f"{judge}: {len(words)} words behind it, not {least}" + (
@@ -246,8 +254,8 @@ class Reader:
             return "" if self.number(words[0], self.known["cases"]) else (
                 f"{words[0]} is no named case, 1 to {self.known['cases']}")
         if kind == "top":
-            return "" if words in ((), ("64",), ("128",), ("64", "1"), ("128", "1")) else (
-                f"{judge}: WIDTH is 64 or 128, LAYERS is 1")
+            fits = re.fullmatch("((64|128)( 1| [01] (16|64))?)?", " ".join(words))
+            return "" if fits else f"{judge}: WIDTH is 64 or 128, LAYERS is 1, TREES 16 or 64"
         if kind in self.known and words[0] not in self.known[kind]:
             return f"there is no {kind} {words[0]}" + nearest(words[0], self.known[kind])
         return ""
@@ -265,7 +273,7 @@ class Reader:
         if record.name in names:
             say(record.line, f"fault: {record.name} stands in {names[record.name]}, too")
         names[record.name] = f"{record.file}:{record.line}"
-        for what in ("rule", "edits", "judges"):
+        for what in ("rule", "edits", "judges")[:3 if self.judged else 2]:
             if not getattr(record, what):
                 say(record.line, f"fault: {record.name} has no " + {
                     "edits": "model, rtl or formal", "judges": "by"}.get(what, what))
@@ -303,9 +311,10 @@ class Reader:
                      f"{edit.side}: is edited as in {other}: one record has both judges")
 
 
-def read(names=()):
-    """All records, or those of some files; raises Refused with what is wrong in them."""
-    reader, known, texts = Reader(), {}, {}
+def read(names=(), judged=True):
+    """All records, or those of some files; raises Refused with what is wrong in them. Without
+    `judged` they name nobody who must notice them."""
+    reader, known, texts = Reader(judged), {}, {}
     for name in sorted(names or glob.glob(LISTS)):
         reader.read(name)
     for record in reader.records:

@@ -7,7 +7,7 @@ from .lines import Lines, c_head, told, verilog_head
 
 FROM = "top.def and machine.def"
 WORD = (1 << 32) - 1
-ONLY = ("LAYERS", "ADDR")       # parameters that registers may depend on
+ONLY = ("LAYERS", "ADDR", "BUILD")       # parameters that registers may depend on
 ACCESS = ("ro", "rw", "wo", "w1c")
 
 # offset, reset: as C and SystemRDL have them, 0x...; reset may be "built"
@@ -59,8 +59,8 @@ class Registers:
         elif kind == "bits":
             self.field(int(words[0]), int(words[1]), words[2], about)
         elif kind == "only":
-            if words[0] not in ONLY or self.registers[-1].access != "rw":
-                self.lines.fail(f"only {' or '.join(ONLY)}, of a setting")
+            if words[0] not in ONLY:
+                self.lines.fail(f"only {' or '.join(ONLY)}")
             self.only[self.registers[-1].name] = words[0]
         elif kind == "place":
             self.place[words[1]] = words[0]
@@ -146,8 +146,10 @@ class Registers:
         define("SETTINGS", len(settings))
         define("SETTINGS_RESET", listed(f"32'h{r.reset[2:]}" for r in settings))
         for parameter in ONLY:     # from the highest down, too
-            there = "".join(str(int(self.only.get(r.name) == parameter)) for r in settings)
-            define(f"SETTINGS_OF_{parameter}", f"{len(settings)}'b{there}")
+            for kind, these in ("SETTINGS", settings), ("OTHERS", others):
+                there = "".join(str(int(self.only.get(r.name) == parameter)) for r in these)
+                if kind == "SETTINGS" or "1" in there:
+                    define(f"{kind}_OF_{parameter}", f"{len(these)}'b{there}")
         define("OTHERS", len(others))
         define("OTHERS_AT", listed(f"12'h{r.offset[2:]}" for r in others))
         define("SETTINGS_KEPT", listed(

@@ -1,29 +1,46 @@
 # constraints.py - the crossings of clocks that the sources have by their modules, as XDC and SDC
 # SPDX-License-Identifier: Apache-2.0
-"""Three modules may hold one: rt_sync (two flip-flops; pointers of rt_async_fifo are in Gray code),
+"""Four modules may hold one: rt_sync (two flip-flops; pointers of rt_async_fifo are in Gray code),
 rt_async_fifo (words, which its pointers keep apart), rt_video (its mode, which stands still while
-the display is on). Names are looked up in the netlist; check_crossings.py finds what has none."""
+the display is on), rt_serialise (clocks of one PLL, edges together). Names are looked up in the
+netlist; check_crossings.py finds what has none."""
 from collections import namedtuple
 
 # from: cells, or empty for the clock; gray: bits that must arrive within one clock of each other
 Crossing = namedtuple("Crossing", "what at cells to cells_to gray")
 
 
+def synchronises(state):
+    return state.name.endswith("/meta_q") and "/rt_sync.v:" in state.src
+
+
+def crossing(source, state):
+    """Of what is allowed to cross, or None; the name by which it is sorted."""
+    place, _, name = state.name.rpartition("/")
+    ends = source.clock, [], state.clock, [state.name]
+    if synchronises(state):
+        gray = "/rt_async_fifo.v:" in state.src
+        return state.name, Crossing("a pointer in Gray code" if gray else "bits, each by itself",
+                                    *ends[:3], [state.name, f"{place}/settled_q"], gray)
+    if name == "rd_data_o" and "/rt_dual_ram.v:" in state.src:
+        return state.name, Crossing("words; a block RAM has no such path", source.clock,
+                                    [f"{place}/mem"], *ends[2:], False)
+    if source.name.endswith("/mode_q") and "/rt_video.v:" in source.src:
+        return source.name, Crossing("stands still while the display is on", source.clock,
+                                     [source.name], state.clock, [], False)
+    if "/rt_serialise.v:" in state.src:
+        return state.name, Crossing("clocks of one PLL, edges together", source.clock,
+                                    [source.name], *ends[2:], False)
+    return None
+
+
 def crossings(netlist):
-    other = {a: b for a in netlist.clocks for b in netlist.clocks if a != b}
-    for state in sorted(netlist.states.values(), key=lambda s: s.name):
-        place, _, name = state.name.rpartition("/")
-        if name == "meta_q" and "/rt_sync.v:" in state.src and state.clock in other:
-            gray = "/rt_async_fifo.v:" in state.src
-            yield Crossing("a pointer in Gray code" if gray else "bits, each by itself",
-                           other[state.clock], [], state.clock,
-                           [state.name, f"{place}/settled_q"], gray)
-        elif name == "rd_data_o" and "/rt_dual_ram.v:" in state.src and state.clock in other:
-            yield Crossing("words; a block RAM has no such path", other[state.clock],
-                           [f"{place}/mem"], state.clock, [state.name], False)
-        elif name == "mode_q" and "/rt_video.v:" in state.src:
-            yield Crossing("stands still while the display is on", state.clock, [state.name],
-                           other[state.clock], [], False)
+    found = {}
+    for source, state, _ in netlist.crossings():
+        named = crossing(source, state)
+        if named and named[1] not in found.values():
+            found[named[0], source.name] = named[1]
+    return [found[key] for key in sorted(found)]
 
 
 def pattern(name):

@@ -48,13 +48,15 @@ def parameters(profile, effects, given):
     return found, about
 
 
-def elaborated(top, values, path, work):
+def elaborated(top, values, path, work, rtl="rtl"):
     """A flat netlist as JSON, and the sources that it was made of."""
-    folders = sorted({str(p.parent) for p in Path("rtl").rglob("*.v*")})
+    folders = sorted({str(p.parent) for p in Path(rtl).rglob("*.v*")})
     script = f"""verilog_defaults -add {' '.join(f'-I{f}' for f in folders)} -DSYNTHESIS
-        read_verilog {verilog.files()[top]}
-        chparam {' '.join(f'-set {n} {v}' for n, v in values.items())} {top}
-        hierarchy -check -top {top} {' '.join(f'-libdir {f}' for f in folders)}
+        read_verilog -lib +/ecp5/cells_bb.v +/ecp5/cells_sim.v
+        read_verilog {rtl}/{Path(verilog.files()[top]).relative_to('rtl')}
+        {'chparam' if values else ''} {' '.join(f'-set {n} {v}' for n, v in values.items())} {
+            top if values else ''}
+        hierarchy -purge_lib -check -top {top} {' '.join(f'-libdir {f}' for f in folders)}
         proc
         flatten
         opt_expr

@@ -10,6 +10,7 @@ LOGIC = 1                               # the lowest bit of what a bit comes fro
 # each bit of the output from the same bit of these inputs alone, and from all of the others
 BITWISE = {"$not": ("A",), "$and": ("A", "B"), "$or": ("A", "B"), "$xor": ("A", "B"),
            "$xnor": ("A", "B"), "$mux": ("A", "B"), "$pos": ("A",)}
+CLOCKS = ("EHXPLLL",)                   # cells whose outputs come from nothing
 
 
 class State:
@@ -126,6 +127,16 @@ class Netlist:
                 state.takes.update([taken, *others])
                 state.bits.add(bit)
                 self.state_of[bit] = state
+            return
+        if kind in CLOCKS:
+            return
+        if "SCLK" in wires:             # a register at a pin
+            state = self.state(name, self.clock(wires["SCLK"][0]))
+            state.takes.update(self.inward(cell, ("SCLK",)))
+            for port, bits in wires.items():
+                if cell["port_directions"][port] == "output":
+                    state.bits.update(bits)
+                    self.state_of.update(dict.fromkeys(bits, state))
             return
         if kind in ("$assert", "$assume", "$cover", "$print", "$check", "$scopeinfo"):
             return

@@ -20,6 +20,7 @@ if clocks.clock(BART_NEAREST) is None:
 SPHERES = "shadow+reflect2+lights3+inside"
 PIPES = SPHERES + "+spans"
 THESIS = "lights1+facets"
+TOP = clocks.key("standard", "shadow+reflect2+lights1") + "-top"
 PARK_MHZ = 84  # the clock of Park et al. 2011
 
 
@@ -136,6 +137,8 @@ RATES = {
                    "draw, million clocks", "640x1088", moving_core,
                    ["MHz", "frames/s, built", "frames/s by the rule", "even at, MHz, built",
                     "even at, by the rule"]),
+    "swarm": Rate("trees.swarm", ["who", "tree", "how", "clocks a pixel"], "clocks a pixel",
+                  "1280x720", lambda row: TOP, OURS),
 }
 
 

@@ -189,6 +189,7 @@ def bounces(run):
 def bases(run):
     """P_b apart from the mapping record: what caches of such lines would miss, 16 P_b in a line."""
     found = {name: f"scenes/texture/{name}.nff" for name in MAPPED}
+    shutil.copy(f"scenes/texture/{scenes.IMAGE}", run.path(scenes.IMAGE))
     found["field"] = run.made("field", scenes.field(FIELD))
     for name, scene in found.items():
         run.keep("bases-" + name, "texels", scene, "--profile", "standard", "--size", "480x270",

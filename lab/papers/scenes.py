@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Each function returns the lines of an NFF file."""
 import math
-import os
 import re
 
+IMAGE = "parquet.png"       # of scenes/texture, beside the scene
 HEAD = """v
 from 0 0 {eye}
 at 0 0 0
@@ -51,11 +51,10 @@ def field(side):
         x, y = 60 * i / side - 30, 60 * j / side - 30
         return f"{x:.6g} {height(x, y):.6g} {-y:.6g} {x / 4:.6g} {y / 4:.6g}"
     at = [[corner(i, j) for i in range(side + 1)] for j in range(side + 1)]
-    image = os.path.abspath("scenes/texture/parquet.png")
     for j in range(side):
         for i in range(side):
             a, b, c, d = at[j][i], at[j][i + 1], at[j + 1][i + 1], at[j + 1][i]
-            lines += [f"tt {image} {a} {b} {c}", f"tt {image} {a} {c} {d}"]
+            lines += [f"tt {IMAGE} {a} {b} {c}", f"tt {IMAGE} {a} {c} {d}"]
     return lines
 
 

@@ -25,17 +25,35 @@ def joined(folder):
         frame["upload_cycles"], frame["draw_cycles"], frame["image_cycles"] = (
             int(row[name]) for name in ("upload", "draw", "written"))
         frame["pixels_a_burst"] = float(row["pixels_a_burst"])
+        if row.get("build"):
+            frame["upload_bytes"], frame["build_cycles"] = int(row["moved"]), int(row["build"])
     return dict(built, command="top")
 
 
-def main(folder):
+def chip(frames, mhz):
+    """What building in rt_top costs a mean frame; none counts that nothing was drawn beside."""
+    later = [f for f in frames[1:] if "build_cycles" in f]
+    if not later:
+        return ""
+    build, upload, image = (sum(f[name] for f in later) / len(later)
+                            for name in ("build_cycles", "upload_cycles", "image_cycles"))
+    period = max(image, upload + build)
+    return (f"tree by rt_top: upload {upload:.0f} clocks, build {build:.0f}, both beside the frame "
+            f"before, START to all written {image:.0f}; {1e6 * mhz / period:.1f} frames a second "
+            f"at {mhz:g} MHz, building {100 * build / period:.2f} % of a frame\n")
+
+
+def main(folder, mhz=84):
     report = joined(folder)
+    built = any("build_cycles" in f for f in report["frames"])
     print("frame  built, s  tree          bytes   upload, cycles    draw   START to all written   "
-          "pixels a burst")
+          "pixels a burst" + ("   moved, bytes   build, cycles" if built else ""))
     for f in report["frames"]:
         tree = "refitted" if f["refitted"] else "built"
+        more = f" {f['upload_bytes']:14} {f['build_cycles']:15}" if "build_cycles" in f else ""
         print(f"{f['at']:5} {f['build_seconds']:9.4f}  {tree:8} {f['memory_bytes']:10} "
               f"{f['upload_cycles']:16} {f['draw_cycles']:7} {f['image_cycles']:22} "
-              f"{f['pixels_a_burst']:16.2f}")
+              f"{f['pixels_a_burst']:16.2f}{more}")
+    print(chip(report["frames"], float(mhz)), end="")
     path = os.path.join(folder, "report.json")
     intact.write(path, json.dumps(report, indent=2) + "\n")

@@ -120,7 +120,8 @@ class Scene:
 def read(path: PathLike, at: int = 0, strict: bool = False, *, time: Optional[float] = None,
          round: float = 0,  # pylint: disable=redefined-builtin
          skip_unsupported: bool = False, camera: Optional[str] = None, radius: float = 0,
-         up: Optional[str] = None, progress: Optional[Progress] = None) -> Scene:
+         up: Optional[str] = None, allow_paths: bool = False,
+         progress: Optional[Progress] = None) -> Scene:
     """Reads a scene file (NFF, AFF), a molecule (PDB, mmCIF, XYZ) or points (CSV). Where there is
     no file of this name, it may be a kind of `sphaera gen`, such as "random:256".
 
@@ -131,6 +132,7 @@ def read(path: PathLike, at: int = 0, strict: bool = False, *, time: Optional[fl
     skip_unsupported  leave out patches instead of refusing the scene
     camera, up        of a mesh: a camera's name or number; "x", "y" or "z"
     radius            of points without one
+    allow_paths       files that the scene names may lie anywhere, not only in its folder and below
     progress          called with done, all; what it returns, if true, cancels
 
     Error: no such file, or what the file says is no scene, with file, line and field."""
@@ -139,7 +141,7 @@ def read(path: PathLike, at: int = 0, strict: bool = False, *, time: Optional[fl
             options, kept = filled("sphaera_read_options", lib.sphaera_read_init, dict(
                 at=at, strict=strict, timed=time is not None, time=time, round=round,
                 skip_unsupported=skip_unsupported, camera=camera, radius=radius,
-                up=up.encode() if up else None, progress=told.pointer))
+                up=up.encode() if up else None, allow_paths=allow_paths, progress=told.pointer))
             scene = made(lib.sphaera_scene_read_with, lib.sphaera_scene_free, "sphaera_scene",
                          c_text(path), options)
             del kept
@@ -147,12 +149,17 @@ def read(path: PathLike, at: int = 0, strict: bool = False, *, time: Optional[fl
     return Scene(until_interrupted(work))
 
 
-def parse(text: Union[str, bytes], name: PathLike = "memory.nff", at: int = 0) -> Scene:
+def parse(text: Union[str, bytes], name: PathLike = "memory.nff", at: int = 0, *,
+          allow_paths: bool = False) -> Scene:
     """The same of a text of NFF in memory. name stands in messages; its folder is where images
     are looked for."""
     data = text.encode() if isinstance(text, str) else bytes(text)
-    return Scene(made(lib.sphaera_scene_parse, lib.sphaera_scene_free, "sphaera_scene",
-                      data, len(data), c_text(name), at))
+    options, kept = filled("sphaera_read_options", lib.sphaera_read_init, dict(
+        at=at, allow_paths=allow_paths))
+    scene = Scene(made(lib.sphaera_scene_parse_with, lib.sphaera_scene_free, "sphaera_scene",
+                       data, len(data), c_text(name), options))
+    del kept
+    return scene
 
 
 def rows(name: str, given: Any, shape: Tuple[int, ...], dtype: Any = np.float64) -> Any:

@@ -43,7 +43,7 @@ module rt_sdram #(
                      PRECHARGE = 4'b0010, AUTO = 4'b0001, MODE = 4'b0000;
     localparam [12:0] MODE_BITS = 13'b000_0_00_010_0_010; // CAS latency 2, sequential, 4 words
     localparam [31:0] N_RCD = RCD - 1, N_RP = RP - 1, N_RAS = RAS - 1, N_RFC = RFC - 1,
-                      N_WRITE = 4 + WR - 1, N_REFRESH = REFRESH - 1, N_POWER = POWER;
+                      N_WRITE = 3 + WR - 1, N_REFRESH = REFRESH - 1, N_POWER = POWER;
 
     // ---- clocks until something may be done ----
     reg  [3:0]  any_q;                    // any command
@@ -54,11 +54,15 @@ module rt_sdram #(
     // ---- the next command ----
     reg  [3:0]  start_q;                  // steps of power-up left: precharge, 8 refreshes, mode
     reg  [3:0]  open_q;                   // banks with an open row
-    reg  [12:0] row_q [0:3];
+    reg  [3:0]  next;
     wire [1:0]  bank = cmd_addr_i[8:7];
     wire [12:0] row  = cmd_addr_i[21:9];
-    wire        hit  = open_q[bank] && row_q[bank] == row;
-    reg  [3:0]  next;
+    wire [12:0] open_row;
+    wire        hit  = open_q[bank] && open_row == row;
+    rt_slot_file #(.WIDTH(13), .SLOTS(4)) u_rows (
+        .clk(clk), .wr_en_i(next == ACTIVATE), .wr_addr_i(bank), .wr_data_i(row), .rd_addr_i(bank),
+        .rd_data_o(open_row)
+    );
     always @* begin
         next = NOP;
         if (any_q == 4'd0) begin
@@ -97,7 +101,6 @@ module rt_sdram #(
                 any_q        <= N_RCD[3:0];
                 if (pre_q < N_RAS[3:0] + 4'd1) pre_q <= N_RAS[3:0];
                 open_q[bank] <= 1'b1;
-                row_q[bank]  <= row;
             end
             PRECHARGE: begin
                 any_q  <= N_RP[3:0];
@@ -116,7 +119,7 @@ module rt_sdram #(
             WRITE: begin
                 read_q  <= 4'd3;
                 write_q <= 4'd3;
-                pre_q   <= N_WRITE[3:0];
+                if (pre_q < N_WRITE[3:0] + 4'd1) pre_q <= N_WRITE[3:0];
             end
             default: ;
         endcase

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //   rx_i --> two flip-flops --> start edge --> a sample in the middle of each bit --> byte
 //   byte --> start, 8 bits, stop --> tx_o
-// A byte whose stop bit is low is thrown away.
+// A start bit that is over in its middle is none. A byte whose stop bit is low is thrown away; the
+// next one begins when the line was high again, so that a break is nothing, however long.
 `timescale 1ns / 1ps
 `default_nettype none
 module rt_uart #(
@@ -24,6 +25,7 @@ module rt_uart #(
 
     // ---- in ----
     wire       rx;
+    reg        was_q;                     // rx a clock before
     reg  [3:0] in_q;                      // bits to come, the start bit first; 0: idle
     reg [15:0] in_wait_q;
     reg  [8:0] in_bits_q;
@@ -31,9 +33,10 @@ module rt_uart #(
     rt_sync u_rx (.clk(clk), .d_i(rx_i), .q_o(rx));
     always @(posedge clk) begin
         get_valid_o <= 1'b0;
+        was_q       <= rx;
         if (in_q == 4'd0) begin
             in_wait_q <= HALF[15:0];
-            if (!rx) in_q <= 4'd10;
+            if (!rx && was_q) in_q <= 4'd10;
         end else if (in_wait_q != 16'd0) begin
             in_wait_q <= in_wait_q - 16'd1;
         end else begin
@@ -43,6 +46,7 @@ module rt_uart #(
             get_valid_o <= in_q == 4'd1 && rx;
         end
         if (rst) begin
+            was_q       <= 1'b0;
             in_q        <= 4'd0;
             get_valid_o <= 1'b0;
         end

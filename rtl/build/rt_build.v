@@ -1,10 +1,12 @@
 // rt_build.v - builds the tree of a scene of spheres: primitive records to nodes and leaf records
 // SPDX-License-Identifier: Apache-2.0
 //   records --> keys --> rt_build_sort --> rt_build_chain --> rt_build_nodes --> rt_build_bound
-//                                                                        nodes, leaf records <--+
+//                              `--> rt_build_groups --^                              v
+//                                                                          nodes, leaf records
 // One phase after another, but nodes, their spheres and writing, which go on together. Nothing is
 // written before all records are read and found sound, so that a tree of before stays whole if one
-// is not, and stays as it is if root_i stands elsewhere.
+// is not, and stays as it is if root_i stands elsewhere. A refit goes from reading to nodes: order
+// and binary tree lie where the build before left them.
 // Model: sph_bt_words() in cmodel/build/words.c
 `timescale 1ns / 1ps
 `default_nettype none
@@ -19,6 +21,7 @@ module rt_build #(
     input  wire          rst,                // synchronous, active high
     // what is wanted; stays as it is while busy_o is high
     input  wire          start_i,            // while busy_o is low
+    input  wire [1:0]    mode_i,             // RT_BUILD_CURVE, _PAPER, _REFIT
     input  wire [`RT_ID_BITS-1:0] count_i,   // spheres
     input  wire [`RT_LINE_BITS-1:0] prim_base_i, // line of the record of sphere 0
     input  wire [`RT_LINE_BITS-1:0] root_i,  // line of the root, nodes and leaf records follow
@@ -26,7 +29,7 @@ module rt_build #(
     // what became of it
     output wire          busy_o,
     output reg           done_o,             // one clock
-    output reg  [3:0]    error_o,            // until the next start: bus, record, room, many
+    output reg  [4:0]    error_o,            // until the next start: mode, bus, record, room, many
     output reg  [`RT_LINE_BITS-1:0] written_o, // lines from the root's on
     // lines that are read come in their order; each is taken at once
     output wire          req_valid_o,
@@ -61,6 +64,11 @@ module rt_build #(
     wire [AB:0]   count   = count_i[AB:0];
     wire          many    = |(count_i >> AB) && count_i != COUNT[`RT_ID_BITS-1:0];
     wire [`RT_ID_BITS+1:0] need = count_i == 0 ? 1 : {1'b0, count_i, 1'b0};
+    // what is kept of the build before, and which it was
+    reg           kept_q, paper_q;
+    reg  [AB:0]   kept_count_q;
+    wire          refit   = mode_i == `RT_BUILD_REFIT;
+    wire          other   = &mode_i || (refit && !(kept_q && kept_count_q == count));
     wire          tight   = {{(`RT_ID_BITS){1'b0}}, lines_i} < {{(ADDR-2){1'b0}}, need};
     assign busy_o = state_q != IDLE;
 
@@ -84,7 +92,7 @@ module rt_build #(
     reg  [4:0]    shift_q;
     reg  [W-1:0]  extents_q;
     wire [W-1:0]  extent [0:2];
-    wire [3*AXIS-1:0] key;
+    wire [3*AXIS-1:0] curve;
     wire [4*W:0]  leaf_a, leaf_b;            // clear, radius, centre z, y, x
     genvar i;
     genvar j;
@@ -108,10 +116,14 @@ module rt_build #(
                 wire unused = &{1'b0, moved[W-1:AXIS]};
             end
             for (j = 0; j < AXIS; j = j + 1) begin : g_bit
-                assign key[3*j + 2 - i] = v_q[j];
+                assign curve[3*j + 2 - i] = v_q[j];
             end
         end
     endgenerate
+    wire signed [W-1:0] z = leaf_a[2*W +: W];
+    reg  [3*AXIS-1:0] falling_q;             // the greatest z first
+    always @(posedge clk) falling_q <= {{(3*AXIS-W){1'b0}}, z[W-1], ~z[W-2:0]};
+    wire [3*AXIS-1:0] key = paper_q ? falling_q : curve;
 
     // ---- keys: 0 a place is read, 1 the leaf is there, 2 its key ----
     reg  [AB:0]   at_q;
@@ -124,10 +136,10 @@ module rt_build #(
     wire [AB-1:0] chain_place, a_place, b_place;
     rt_build_sort #(.AB(AB)) u_sort (
         .clk(clk), .rst(rst),
-        .clear_i(start_i && !busy_o), .ready_o(sort_ready),
+        .clear_i(start_i && !busy_o && !refit), .ready_o(sort_ready),
         .key_valid_i(key_q[1]), .key_i(key), .sort_i(state_q == SORT), .count_i(count),
         .done_o(sorted),
-        .a_en_i(chain_read || a_read), .a_copy_i(chain_read),
+        .a_en_i(chain_read || a_read), .a_copy_i(chain_read || (paper_q && low)),
         .a_place_i(chain_read ? chain_place : a_place),
         .a_id_o(id_a),
         .b_en_i(b_read), .b_place_i(b_place), .b_id_o(id_b)
@@ -137,9 +149,19 @@ module rt_build #(
         .clk(clk), .wr_en_i(put), .wr_addr_i(came_q[AB-1:0]), .wr_data_i(leaf_in),
         .rd_en_i(!put), .rd_addr_i(keying ? at_q[AB-1:0] : id_a), .rd_data_o(leaf_a)
     );
+    // spheres of a level replace the second copy, which none of those above it reads
+    wire          ball, low, upper, whole;
+    wire          corner  = paper_q && !low;
+    wire [4*W-1:0] ball_leaf;
+    wire [AB-1:0] ball_at;
+    reg  [AB-1:0] a_place_q;
+    reg           a_read_q, b_read_q;
+    wire          put_ball = ball && corner && !whole;
     rt_slot_ram #(.WIDTH(4*W + 1), .SLOTS(COUNT), .OLD(0)) u_leaves_b (
-        .clk(clk), .wr_en_i(put), .wr_addr_i(came_q[AB-1:0]), .wr_data_i(leaf_in),
-        .rd_en_i(!put), .rd_addr_i(id_b), .rd_data_o(leaf_b)
+        .clk(clk), .wr_en_i(put || put_ball),
+        .wr_addr_i(put ? came_q[AB-1:0] : ball_at), .wr_data_i(put ? leaf_in : {1'b0, ball_leaf}),
+        .rd_en_i(upper ? a_read_q : b_read_q), .rd_addr_i(upper ? a_place_q : id_b),
+        .rd_data_o(leaf_b)
     );
 
     // ---- binary tree ----
@@ -160,17 +182,37 @@ module rt_build #(
 
     // ---- nodes of four, spheres around their children ----
     reg           nodes_start_q;
-    wire          nodes_idle, node_in, node_room, child_valid, child_ready;
-    wire [LB-1:0] next;
-    wire [2*LB+5:0] node_word, head;
-    wire [2*AB:0] child;
+    wire          pairs_idle, pairs_node_valid, pairs_child_valid;
+    wire          groups_idle, groups_node_valid, groups_child_valid, groups_upper;
+    assign upper = paper_q && groups_upper;
+    wire [LB-1:0] pairs_next, groups_next;
+    wire [2*LB+5:0] pairs_node, groups_node;
+    wire [2*AB:0] pairs_child, groups_child;
+    wire [LB-1:0] next        = paper_q ? groups_next : pairs_next;
+    wire [2*LB+5:0] node_word = paper_q ? groups_node : pairs_node;
+    wire [2*AB:0] child       = paper_q ? groups_child : pairs_child;
+    wire [2*LB+5:0] head;
+    wire          child_ready, node_room, heads, takes;
+    wire          nodes_idle  = pairs_idle && groups_idle;
+    wire          node_in     = pairs_node_valid || groups_node_valid;
+    wire          child_valid = pairs_child_valid || groups_child_valid;
     rt_build_nodes #(.AB(AB), .SW(SW)) u_nodes (
         .clk(clk), .rst(rst),
-        .start_i(nodes_start_q), .last_i(count_i[AB-1:0] - 1'b1), .root_i(root),
-        .idle_o(nodes_idle), .next_o(next),
+        .start_i(nodes_start_q && !paper_q), .last_i(count_i[AB-1:0] - 1'b1), .root_i(root),
+        .idle_o(pairs_idle), .next_o(pairs_next),
         .read_o(pair_read), .number_o(pair_at), .pair_i(pair),
-        .node_valid_o(node_in), .node_ready_i(node_room), .node_o(node_word),
-        .child_valid_o(child_valid), .child_ready_i(child_ready), .child_o(child)
+        .node_valid_o(pairs_node_valid), .node_ready_i(node_room), .node_o(pairs_node),
+        .child_valid_o(pairs_child_valid), .child_ready_i(child_ready), .child_o(pairs_child)
+    );
+    rt_build_groups #(.AB(AB)) u_groups (
+        .clk(clk), .rst(rst),
+        .start_i(nodes_start_q && paper_q), .count_i(count),
+        .idle_o(groups_idle), .next_o(groups_next),
+        .drained_i(!heads && !wr_valid_o), .whole_done_i(takes),
+        .low_o(low), .upper_o(groups_upper), .whole_o(whole),
+        .ball_i(put_ball), .ball_at_o(ball_at),
+        .node_valid_o(groups_node_valid), .node_ready_i(node_room), .node_o(groups_node),
+        .child_valid_o(groups_child_valid), .child_ready_i(child_ready), .child_o(groups_child)
     );
     // runs differ in length: many children may wait
     wire          run_valid, run_ready;
@@ -180,7 +222,7 @@ module rt_build #(
         .in_valid_i(child_valid && child_ready), .in_ready_o(child_ready), .in_data_i(child),
         .out_valid_o(run_valid), .out_ready_i(run_ready), .out_data_o(run)
     );
-    wire          heads, head_take;
+    wire          head_take;
     rt_fifo #(.WIDTH(2*LB + 6), .DEPTH(32)) u_heads (
         .clk(clk), .rst(rst),
         .in_valid_i(node_in && node_room), .in_ready_o(node_room), .in_data_i(node_word),
@@ -192,12 +234,15 @@ module rt_build #(
     wire [4*W+AB:0] done_leaf;
     rt_build_bound #(.W(W), .FW(FW), .AB(AB)) u_bound (
         .clk(clk), .rst(rst),
+        .start_i(nodes_start_q), .corner_i(corner), .whole_i(whole),
         .child_valid_i(run_valid), .child_ready_o(run_ready), .child_i(run),
-        .a_read_o(a_read), .a_place_o(a_place), .a_leaf_i(leaf_a[4*W-1:0]),
+        .a_read_o(a_read), .a_place_o(a_place),
+        .a_leaf_i(upper ? leaf_b[4*W-1:0] : leaf_a[4*W-1:0]),
         .b_read_o(b_read), .b_place_o(b_place), .b_leaf_i(leaf_b[4*W-1:0]),
         .b_mark_i({leaf_b[4*W], id_b_q}),
         .out_valid_o(done_valid), .out_ready_i(done_take), .out_kind_o(done_kind),
-        .out_child_o(done_child), .out_leaf_o(done_leaf)
+        .out_child_o(done_child), .out_leaf_o(done_leaf),
+        .ball_o(ball), .ball_leaf_o(ball_leaf)
     );
 
     // ---- a line of two leaf records, or of a node ----
@@ -213,7 +258,7 @@ module rt_build #(
     wire [2:0]    head_leaves = head[2*LB+3 +: 3];
     wire          empty       = state_q == NODES && count == 0;
     assign done_take  = !put_records_q && !put_node_q;
-    wire          takes = done_valid && done_take;
+    assign takes      = done_valid && done_take;
     wire [127:0]  record;
     generate
         for (i = 0; i < 3; i = i + 1) begin : g_record
@@ -233,8 +278,12 @@ module rt_build #(
     wire          wrote = wr_valid_o && wr_ready_i;
     assign head_take  = wrote && !put_records_q;
 
+    integer n;
     always @(posedge clk) begin
-        id_b_q   <= id_b;
+        id_b_q    <= id_b;
+        a_place_q <= a_place;
+        a_read_q  <= a_read;
+        b_read_q  <= b_read && !corner;
         line_q   <= reading && rsp_valid_i;
         void_q   <= rsp_error_i;
         record_q <= rsp_data_i[127:0];
@@ -249,8 +298,9 @@ module rt_build #(
         if (key_read) at_q <= at_q + 1'b1;
         if (busy_o && wr_error_i) error_o[3] <= 1'b1;
 
-        if (takes) begin
-            children_q[56*slot_q +: 56] <= done_child;
+        if (takes && !whole) begin
+            for (n = 0; n < 4; n = n + 1)
+                if (slot_q == n[1:0]) children_q[56*n +: 56] <= done_child;
             slot_q     <= slot_q + 1'b1;
             put_node_q <= done_kind[0];
             if (done_kind[1]) begin
@@ -274,8 +324,8 @@ module rt_build #(
 
         case (state_q)
             IDLE: if (start_i) begin
-                state_q <= many || tight ? END : READ;
-                error_o <= {2'b00, tight, many};
+                state_q <= many || tight || other ? END : READ;
+                error_o <= {other, 2'b00, tight, many};
                 written_o <= {ADDR{1'b0}};
                 asked_q <= {(AB+1){1'b0}};
                 came_q  <= {(AB+1){1'b0}};
@@ -283,11 +333,14 @@ module rt_build #(
                 shift_q <= 5'd0;
             end
             READ: if (came_q == count && !line_q) begin
-                extents_q <= extent[0] | extent[1] | extent[2];
-                state_q   <= |error_o ? END : SCALE;
-                if (count == 0) begin
-                    state_q    <= NODES;
-                    put_node_q <= 1'b1;
+                extents_q     <= extent[0] | extent[1] | extent[2];
+                state_q       <= |error_o ? END : count == 0 || refit ? NODES : SCALE;
+                put_node_q    <= count == 0;
+                nodes_start_q <= count != 0 && refit && !(|error_o);
+                if (!refit && !(|error_o)) begin
+                    kept_q       <= count == 0;
+                    kept_count_q <= count;
+                    paper_q      <= mode_i == `RT_BUILD_PAPER;
                 end
             end
             SCALE: if (|(extents_q >> AXIS)) begin
@@ -296,11 +349,14 @@ module rt_build #(
             end else state_q <= KEYS;
             KEYS: if (at_q == count && key_q[1:0] == 2'd0 && sort_ready) state_q <= SORT;
             SORT: if (sorted) begin
-                state_q <= CHAIN;
-                chain_start_q <= 1'b1;
+                state_q       <= paper_q ? NODES : CHAIN;
+                chain_start_q <= !paper_q;
+                nodes_start_q <= paper_q;
+                kept_q        <= paper_q;
             end
             CHAIN: if (chained) begin
                 state_q <= NODES;
+                kept_q  <= 1'b1;
                 nodes_start_q <= 1'b1;
             end
             NODES: if (nodes_idle && !nodes_start_q && !heads && !wr_valid_o) begin
@@ -315,9 +371,11 @@ module rt_build #(
         endcase
         if (rst) begin
             state_q       <= IDLE;
+            kept_q        <= 1'b0;
+            paper_q       <= 1'b0;
             line_q        <= 1'b0;
             key_q         <= 3'd0;
-            error_o       <= 4'd0;
+            error_o       <= 5'd0;
             done_o        <= 1'b0;
             slot_q        <= 2'd0;
             children_q    <= 224'd0;

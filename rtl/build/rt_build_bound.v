@@ -4,8 +4,9 @@
 //                                                                   --> the largest, rounded up
 // Both passes run at the same time, on different runs. Distances are roots of W+1 digits, one a
 // clock, each digit a stage, so that a leaf enters every clock and nothing depends on the leaf
-// before it but the maximum at the end. At most 16 children are under way.
-// Model: enclose() in cmodel/build/nodes.c
+// before it but the maximum at the end. At most 16 children are under way. With corner_i the second
+// pass has one point, the corner of the box that is farthest from its middle.
+// Model: sph_bt_enclose(), sph_bt_on_box() in cmodel/build/bound.c
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_check.vh"
@@ -17,7 +18,12 @@ module rt_build_bound #(
 ) (
     input  wire          clk,
     input  wire          rst,                // synchronous, active high
-    // from rt_build_nodes: a child
+    // from rt_build; the last two stay while children are under way
+    input  wire          start_i,            // the grid's sphere replaces larger ones
+    input  wire          corner_i,           // a radius is made of the box of a run, not its leaves
+    input  wire          whole_i,            // a box is cut at the grid; from now on its sphere
+                                             // replaces larger ones
+    // from rt_build_nodes, rt_build_groups: a child
     input  wire          child_valid_i,
     output wire          child_ready_o,
     input  wire [2*AB:0] child_i,            // the node's last, last, first
@@ -34,7 +40,10 @@ module rt_build_bound #(
     input  wire          out_ready_i,
     output wire [1:0]    out_kind_o,         // leaf, the node's last
     output wire [55:0]   out_child_o,        // as a node has it, with the filter's margin
-    output wire [4*W+AB:0] out_leaf_o        // of one sphere: clear, number, radius, centre
+    output wire [4*W+AB:0] out_leaf_o,       // of one sphere: clear, number, radius, centre
+    // the same, earlier, for a later run
+    output wire          ball_o,
+    output wire [4*W-1:0] ball_leaf_o        // as a leaf: radius, centre
 );
     localparam BW = W + 2;                   // a side of a box, signed
     localparam K  = W - FW;
@@ -88,6 +97,14 @@ module rt_build_bound #(
     reg           boxed_q;                   // the box is whole
     reg  [2*AB:0] boxed_run_q;
     wire [CB-1:0] middle;
+    wire [3*BW-1:0] far;
+    reg  [9*BW-1:0] far_q;                   // three clocks: until a distance is made of it
+    function [BW-1:0] cut;                   // at the grid
+        input whole;
+        input [BW-1:0] v;
+        cut = !whole || v[BW-1:W-1] == 3'b000 || v[BW-1:W-1] == 3'b111
+              ? v : {{3{v[BW-1]}}, {(W-1){!v[BW-1]}}};
+    endfunction
     genvar i;
     generate
         for (i = 0; i < 3; i = i + 1) begin : g_box
@@ -100,7 +117,9 @@ module rt_build_bound #(
                 if (a_head || lo < lo_q) lo_q <= lo;
                 if (a_head || hi > hi_q) hi_q <= hi;
             end
-            wire signed [BW:0] sum = lo_q + hi_q;
+            wire signed [BW-1:0] low  = cut(whole_i, lo_q);
+            wire signed [BW-1:0] high = cut(whole_i, hi_q);
+            wire signed [BW:0] sum = low + high;
             // the half of it, then half up to filter units, limited to those of the grid
             wire signed [BW+1:0] half = {sum[BW], sum[BW], sum[BW:1]};
             wire signed [BW+1:0] up   = K == 0 ? half : (half >>> (K == 0 ? 0 : K - 1)) + 1;
@@ -109,10 +128,13 @@ module rt_build_bound #(
                         fine[BW+1:FW-1] == {(BW+3-FW){1'b1}};
             assign middle[FW*i +: FW] = fits ? fine[FW-1:0]
                                              : {fine[BW+1], {(FW-1){!fine[BW+1]}}};
+            // the farther of both, as seen from there, which is above the half if it was rounded up
+            assign far[BW*i +: BW] = K != 0 && fits && half[K == 0 ? 0 : K - 1] ? low : high;
             wire unused = &{1'b0, sum[0]};
         end
     endgenerate
     always @(posedge clk) begin
+        far_q       <= {far_q[6*BW-1:0], far};
         boxed_q     <= a_here && a_tail && !rst;
         boxed_run_q <= a_run;
     end
@@ -138,8 +160,8 @@ module rt_build_bound #(
         b_new_q <= b_begins;
         if (b_begins) begin
             {b_middle_q, b_end_q, b_last_q} <= run[2*AB+CB:AB];
-            b_at_q   <= run[0 +: AB];
-            b_leaf_q <= run[0 +: AB] == run[AB +: AB];
+            b_at_q   <= corner_i ? run[AB +: AB] : run[0 +: AB];
+            b_leaf_q <= run[0 +: AB] == run[AB +: AB] && !corner_i;
         end else if (b_more) b_at_q <= b_at_q + 1'b1;
         b_on_q <= !rst && (b_begins || b_more);
     end
@@ -158,14 +180,17 @@ module rt_build_bound #(
     reg  [2*W+1:0] s3_sum_q;
     generate
         for (i = 0; i < 3; i = i + 1) begin : g_apart
-            wire signed [W:0] from = {s0_middle_q[FW*i + FW - 1], s0_middle_q[FW*i +: FW],
-                                      {K{1'b0}}};
-            wire signed [W:0] to   = {b_leaf_i[W*i + W - 1], b_leaf_i[W*i +: W]};
-            wire signed [W:0] d    = from - to;
+            wire signed [BW:0] from = {{3{s0_middle_q[FW*i + FW - 1]}}, s0_middle_q[FW*i +: FW],
+                                       {K{1'b0}}};
+            wire signed [BW-1:0] to = corner_i ? far_q[BW*(6+i) +: BW]
+                                               : {{2{b_leaf_i[W*i + W - 1]}}, b_leaf_i[W*i +: W]};
+            wire signed [BW:0] d    = from - to;
             wire [W-1:0]   minus_d = ~d[W-1:0] + 1'b1;
-            reg  [W-1:0]   s1_apart_q;       // at most 2^W - 1
+            // of a leaf at most 2^W - 1; a corner beyond makes a sphere that is too large anyway
+            wire           over = d[BW:W] != {3{d[BW]}} || (d[BW] && d[W-1:0] == 0);
+            reg  [W-1:0]   s1_apart_q;
             always @(posedge clk) begin
-                s1_apart_q <= d[W] ? minus_d : d[W-1:0];
+                s1_apart_q <= over ? {W{1'b1}} : d[BW] ? minus_d : d[W-1:0];
                 s2_square_q[2*W*i +: 2*W] <= s1_apart_q * s1_apart_q;
             end
         end
@@ -203,7 +228,7 @@ module rt_build_bound #(
     wire [W+3:0]  beside;
     wire          there;
     rt_delay #(.WIDTH(W + 4), .CYCLES(ROOT + 3)) u_beside (
-        .clk(clk), .in_i({s0_tag_q, b_leaf_i[3*W +: W]}), .out_o(beside)
+        .clk(clk), .in_i({s0_tag_q, corner_i ? {W{1'b0}} : b_leaf_i[3*W +: W]}), .out_o(beside)
     );
     rt_delay_valid #(.CYCLES(ROOT + 3)) u_there (
         .clk(clk), .rst(rst), .in_i(s0_here_q), .out_o(there)
@@ -241,17 +266,28 @@ module rt_build_bound #(
     localparam [RW:0] UP = (1 << K) - 1;
     wire [RW:0]   raised = {1'b0, most_q} + UP;
     wire [RW-K:0] units  = raised[RW:K];
-    wire          beyond  = units > WHOLE;
-    wire [RW-K:0] least   = beyond ? WHOLE : units; // at most sqrt(3) * 2^13 + 1
+    reg  [RW-K:0] cap_q;                     // of a radius
+    reg  [CB-1:0] cap_centre_q;
+    wire          beyond  = units > cap_q;
+    wire [RW-K:0] least   = beyond ? cap_q : units; // at most sqrt(3) * 2^13 + 1
     wire [19:0]   margined = {{(17-FW){1'b0}}, least} + `RT_FILTER_MARGIN;
     wire [`RT_CHILD_RAD_BITS-1:0] radius = margined[`RT_CHILD_RAD_BITS-1:0];
 
     // ---- queues of centres, leaves and results ----
-    wire [CB-1:0] centre;
+    wire [CB-1:0] waited;
+    wire [CB-1:0] centre = beyond ? cap_centre_q : waited;
+    always @(posedge clk)
+        if (start_i) begin
+            cap_q        <= WHOLE;
+            cap_centre_q <= {CB{1'b0}};
+        end else if (whole_i && most_here_q) begin
+            cap_q        <= least;
+            cap_centre_q <= centre;
+        end
     rt_fifo #(.WIDTH(CB), .DEPTH(16)) u_middles (
         .clk(clk), .rst(rst),
         .in_valid_i(boxed_q), .in_ready_o(rooms[1]), .in_data_i(middle),
-        .out_valid_o(some[0]), .out_ready_i(most_here_q), .out_data_o(centre)
+        .out_valid_o(some[0]), .out_ready_i(most_here_q), .out_data_o(waited)
     );
     rt_fifo #(.WIDTH(4*W + AB + 1), .DEPTH(16)) u_leaves (
         .clk(clk), .rst(rst),
@@ -263,10 +299,12 @@ module rt_build_bound #(
     wire [55:0] result;
     generate
         for (i = 0; i < 3; i = i + 1) begin : g_out
-            wire [13:0] wide = {{(15-FW){centre[FW*i + FW - 1]}}, centre[FW*i +: FW-1]};
-            assign result[14*i +: 14] = beyond ? 14'd0 : wide;
+            assign result[14*i +: 14] = {{(15-FW){centre[FW*i + FW - 1]}}, centre[FW*i +: FW-1]};
+            assign ball_leaf_o[W*i +: W] = {centre[FW*i +: FW], {K{1'b0}}};
         end
     endgenerate
+    assign ball_o = most_here_q;
+    assign ball_leaf_o[3*W +: W] = {least[FW-1:0], {K{1'b0}}}; // at most sqrt(3) * 2^(FW-1) + 1
     assign result[`RT_CHILD_RAD_LSB +: `RT_CHILD_RAD_BITS] = radius;
     rt_fifo #(.WIDTH(58), .DEPTH(16)) u_results (
         .clk(clk), .rst(rst),

@@ -1,8 +1,8 @@
 // rt_build_sort.v - numbers of spheres in the order of their keys
 // SPDX-License-Identifier: Apache-2.0
 //   key, id --> bank 0 --> [digit: place of its next one] --> bank 1 --> .. --> bank 0
-// A radix sort, low digits first: each pass moves a word a clock from one bank to the other, and
-// counts the next digit of what it moves. Places of a pass are sums of the counts of smaller
+// A radix sort, low digits first: each pass moves a word a clock from one bank to the other, turns
+// its key by a digit, and counts the next digit of what it moves. Places of a pass are sums of the counts of smaller
 // digits. n words take DIGITS * n + 64 * DIGITS clocks after their last one came in. What is read
 // first, place by place, is copied to bank 1, so that there are two readers afterwards.
 // Model: sph_bt_order() in cmodel/build/order.c
@@ -55,15 +55,15 @@ module rt_build_sort #(
     wire [KEY+AB-1:0] word0, word1;
     wire          from1   = pass_q[0];       // bank that the pass reads
     wire [KEY+AB-1:0] word = from1 ? word1 : word0;
-    wire [DB-1:0] digit   = word[AB + DB*pass_q +: DB];
-    wire [PB-1:0] after   = pass_q == LAST ? pass_q : pass_q + 1'b1;
+    wire [KEY+AB-1:0] turned = {word[AB +: DB], word[KEY+AB-1:AB+DB], word[AB-1:0]};
+    wire [DB-1:0] digit   = word[AB +: DB];
     wire [AB:0]   place;
     wire          put     = moving && moved_q;
     rt_slot_ram #(.WIDTH(KEY + AB), .SLOTS(1 << AB), .OLD(0)) u_bank0 (
         .clk(clk),
         .wr_en_i(key_valid_i || (put && from1)),
         .wr_addr_i(key_valid_i ? write_q : place[AB-1:0]),
-        .wr_data_i(key_valid_i ? {key_i, write_q} : word),
+        .wr_data_i(key_valid_i ? {key_i, write_q} : turned),
         .rd_en_i(moving ? !from1 && more : a_en_i),
         .rd_addr_i(moving ? read_q[AB-1:0] : a_place_i),
         .rd_data_o(word0)
@@ -72,7 +72,7 @@ module rt_build_sort #(
         .clk(clk),
         .wr_en_i((put && !from1) || copy_q),
         .wr_addr_i(copy_q ? copied_q : place[AB-1:0]),
-        .wr_data_i(word0),
+        .wr_data_i(turned),
         .rd_en_i(moving ? from1 && more : b_en_i),
         .rd_addr_i(moving ? read_q[AB-1:0] : b_place_i),
         .rd_data_o(word1)
@@ -84,7 +84,7 @@ module rt_build_sort #(
     wire          summing = state_q == SUMS;
     wire          sweep   = summing || state_q == CLEAR;
     wire          counts  = key_valid_i || (put && pass_q != LAST);
-    wire [DB-1:0] counted = key_valid_i ? key_i[DB-1:0] : word[AB + DB*after +: DB];
+    wire [DB-1:0] counted = key_valid_i ? key_i[DB-1:0] : turned[AB +: DB];
     wire [AB:0]   count;
     rt_slot_file #(.WIDTH(AB + 1), .SLOTS(1 << DB)) u_counts (
         .clk(clk),

@@ -88,6 +88,9 @@
 `define RT_BOX_CROSS 17
 `define RT_BOX_FINE 4
 `define RT_BOX_NEAR 11
+`define RT_BUILD_CURVE 0
+`define RT_BUILD_PAPER 1
+`define RT_BUILD_REFIT 2
 `define RT_BUILD_AXIS 8
 `define RT_BUILD_DIGIT 6
 `define RT_BUILD_STACK 32

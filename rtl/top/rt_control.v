@@ -11,7 +11,8 @@
 `include "rt_top.vh"
 module rt_control #(
     parameter LAYERS = 0,               // 1: the registers that rt_top has with it alone
-    parameter ADDR   = 32               // above 32: those that it has then
+    parameter ADDR   = 32,              // above 32: those that it has then
+    parameter BUILD  = 0                // above 0: those of a builder of trees, too
 ) (
     input  wire        clk,
     input  wire        rst,
@@ -38,12 +39,13 @@ module rt_control #(
     // what stands in read-only registers
     input  wire [127:0] built_i,        // {CORE_BUS, CORE_PARTS, CORE_EFFECTS, CORE_PROFILE}
     input  wire [31:0] status_i,        // STATUS
+    input  wire [63:0] build_i,         // {BUILD_WRITTEN, BUILD_CLOCKS}
     // what happens
-    input  wire [15:0] errors_i,        // bits of ERRORS that are set now
-    input  wire [2:0]  happened_i,      // bits of INTERRUPTS but ERROR
+    input  wire [20:0] errors_i,        // bits of ERRORS that are set now
+    input  wire [3:0]  happened_i,      // bits of INTERRUPTS but ERROR
     input  wire        good_i,          // a frame is complete
     // orders, settings
-    output reg  [6:0]  order_o,         // bits of CONTROL, for one cycle
+    output reg  [7:0]  order_o,         // bits of CONTROL, for one cycle
     output wire [32*`RT_TOP_SETTINGS-1:0] settings_o, // read-write registers, from WATCHDOG on
     // to rt_machine and rt_totals
     output wire [3:0]  machine_write_o,
@@ -56,12 +58,18 @@ module rt_control #(
     input  wire        count_busy_i
 );
     localparam ALL = `RT_TOP_SETTINGS;
-    localparam [ALL-1:0] THERE = ~((LAYERS != 0 ? {ALL{1'b0}} : `RT_TOP_SETTINGS_OF_LAYERS) |
-                                   (ADDR > 32 ? {ALL{1'b0}} : `RT_TOP_SETTINGS_OF_ADDR));
-    localparam [32*ALL-1:0] RESET = `RT_TOP_SETTINGS_RESET;
-    localparam [32*ALL-1:0] KEPT = `RT_TOP_SETTINGS_KEPT;
-    localparam [12*ALL-1:0] AT = `RT_TOP_SETTINGS_AT;
     localparam OTHERS = `RT_TOP_OTHERS;
+    localparam [ALL-1:0] THERE = ~((LAYERS != 0 ? {ALL{1'b0}} : `RT_TOP_SETTINGS_OF_LAYERS) |
+                                   (ADDR > 32 ? {ALL{1'b0}} : `RT_TOP_SETTINGS_OF_ADDR) |
+                                   (BUILD != 0 ? {ALL{1'b0}} : `RT_TOP_SETTINGS_OF_BUILD));
+    localparam [OTHERS-1:0] OTHERS_THERE = ~(BUILD != 0 ? {OTHERS{1'b0}}
+                                                        : `RT_TOP_OTHERS_OF_BUILD);
+    localparam [20:0] ERRORS_THERE = {{5{BUILD != 0}}, 16'hffff};
+    localparam [4:0] HAPPENED_THERE = {BUILD != 0, 4'hf};
+    localparam [32*ALL-1:0] RESET = `RT_TOP_SETTINGS_RESET;
+    localparam [32*ALL-1:0] KEPT = `RT_TOP_SETTINGS_KEPT &
+                                   ~{{32*ALL-5{1'b0}}, ~HAPPENED_THERE}; // of INTERRUPT_ENABLE
+    localparam [12*ALL-1:0] AT = `RT_TOP_SETTINGS_AT;
     localparam [12*OTHERS-1:0] OTHERS_AT = `RT_TOP_OTHERS_AT;
     localparam [6:0] REGS = `RT_N_REGS;
     localparam [11:0] COUNTERS_END = `RT_TOP_COUNTERS + 8*`RT_TOP_COUNTS;
@@ -80,7 +88,7 @@ module rt_control #(
             for (n = 0; n < ALL; n = n + 1)
                 selected[n] = THERE[n] && {at, 2'd0} == AT[12*n +: 12];
             for (n = 0; n < OTHERS; n = n + 1)
-                selected[ALL+n] = {at, 2'd0} == OTHERS_AT[12*n +: 12];
+                selected[ALL+n] = OTHERS_THERE[n] && {at, 2'd0} == OTHERS_AT[12*n +: 12];
             selected[IS-1] = at_count(at) || (at_machine(at) && at[8:2] < REGS);
         end
     endfunction
@@ -118,7 +126,7 @@ module rt_control #(
     assign write_addr_o    = aw_q[8:2];
     assign write_data_o    = w_q;
     always @(posedge clk)              // from a register, as the answer: it reaches far
-        order_o <= write && aw_control_q && !rst ? ones[6:0] : 7'd0;
+        order_o <= write && aw_control_q && !rst ? ones[7:0] : 8'd0;
 
     // ---- a read: what others have comes through a register, a clock before the answer ----
     reg         ar_full_q, ar_seen_q, ar_free_q;   // free: elsewhere_q was read while it may be
@@ -167,22 +175,22 @@ module rt_control #(
     endgenerate
 
     // ---- what happened ----
-    reg  [15:0] errors_q;
-    reg  [3:0]  happened_q;
+    reg  [20:0] errors_q;
+    reg  [4:0]  happened_q;
     reg  [31:0] frames_q;
     always @(posedge clk) begin
-        errors_q   <= (errors_q & ~(write && aw_errors_q ? ones[15:0] : 16'd0)) |
-                      errors_i;
-        happened_q <= (happened_q & ~(write && aw_interrupts_q ? ones[3:0] : 4'd0)) |
-                      {errors_i != 16'd0, happened_i};
+        errors_q   <= ((errors_q & ~(write && aw_errors_q ? ones[20:0] : 21'd0)) |
+                       errors_i) & ERRORS_THERE;
+        happened_q <= ((happened_q & ~(write && aw_interrupts_q ? ones[4:0] : 5'd0)) |
+                       {happened_i[3], errors_i != 21'd0, happened_i[2:0]}) & HAPPENED_THERE;
         frames_q   <= frames_q + {31'd0, good_i};
         if (rst || order_o[`RT_TOP_CONTROL_SOFT_RESET]) begin
-            errors_q   <= 16'd0;
-            happened_q <= 4'd0;
+            errors_q   <= 21'd0;
+            happened_q <= 5'd0;
             frames_q   <= 32'd0;
         end
     end
-    assign irq_o = (happened_q & settings_o[`RT_TOP_SET_INTERRUPT_ENABLE_SOURCES]) != 4'd0;
+    assign irq_o = (happened_q & settings_o[`RT_TOP_SET_INTERRUPT_ENABLE_SOURCES]) != 5'd0;
 
     // ---- values: a register without a word of its own, and none, have 0 ----
     reg  [31:0] word;
@@ -199,8 +207,10 @@ module rt_control #(
                 `RT_TOP_CORE_BUS:     word = built_i[96 +: 32];
                 `RT_TOP_STATUS:       word = status_i;
                 `RT_TOP_FRAME_COUNT:  word = frames_q;
-                `RT_TOP_ERRORS:       word = {16'd0, errors_q};
-                `RT_TOP_INTERRUPTS:   word = {28'd0, happened_q};
+                `RT_TOP_ERRORS:       word = {11'd0, errors_q};
+                `RT_TOP_INTERRUPTS:   word = {27'd0, happened_q};
+                `RT_TOP_BUILD_CLOCKS: word = build_i[0 +: 32];
+                `RT_TOP_BUILD_WRITTEN: word = build_i[32 +: 32];
                 default:              word = 32'd0;
             endcase
             if (ar_is_q[ALL+k]) read_value = read_value | word;

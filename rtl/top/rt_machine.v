@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // They may be written while a frame is drawn: that frame has the values of its own START. After
 // rst all are set to 0, which takes 2^7 cycles; giving them to the core takes N_REGS cycles, after
-// that if it is asked for before. In both, busy_o is high and reads and writes must wait.
+// that if it is asked for before. In both, busy_o is high and reads and writes must wait. A START
+// behind a STOP, which has reset the core meanwhile, gives all of them anew.
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
@@ -33,7 +34,7 @@ module rt_machine (
     assign cfg_addr_o  = at_q;
     assign cfg_data_o  = read_data_o;
     always @(posedge clk) begin
-        at_q <= busy_o ? at_q + 1'b1 : 7'd0;
+        at_q <= clear_q || (load_q && !load_i) ? at_q + 1'b1 : 7'd0;
         if (&at_q) clear_q <= 1'b0;
         if (at_q == LAST && !clear_q) load_q <= 1'b0;
         if (load_i) load_q <= 1'b1;

@@ -14,7 +14,7 @@ module rt_run (
     input  wire        clk,
     input  wire        rst,
     // from rt_control
-    input  wire [6:0]  order_i,         // bits of CONTROL that are written
+    input  wire [7:0]  order_i,         // bits of CONTROL that are written
     input  wire [31:0] limit_i,         // register WATCHDOG
     output wire [15:0] errors_o,        // bits of ERRORS that are set now
     output wire        done_o,          // a frame ended

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //   AXI4-Lite -> rt_control -> rt_run, rt_machine -> rt_core -> lines  -> rt_axi_read    -> AXI4
 //                rt_totals                                   -> pixels -> rt_frame_write -> AXI4
+// With BUILD rt_builder reads records and writes trees over the same two masters.
 // Registers, order of use, timing: docs/reference/rt_top.md. This module is wires alone.
 `timescale 1ns / 1ps
 `default_nettype none
@@ -14,6 +15,7 @@ module rt_top #(
     parameter BUFFERS    = 16,   // groups of pixels filled at once, a power of two, 4..64
     parameter VIDEO      = 0,    // 1: a video output
     parameter LAYERS     = 0,    // 1: frames have three layers, Rendering, L1 and L2
+    parameter BUILD      = 0,    // spheres that trees are built of: 0, or a power of two 16..65536
     parameter ADDR       = 32,   // 32..40: bits of an address of the AXI4 masters
     parameter FRAME_ID   = 0,    // 0..31: ID of writes to the frame store
     parameter SCAN_ID    = 0,    // 0..31: ID of reads of the display
@@ -119,6 +121,9 @@ module rt_top #(
     `RT_CHECK(DATA == 64 || DATA == 128, rt_top_DATA_must_be_64_or_128)
     `RT_CHECK(VIDEO == 0 || VIDEO == 1, rt_top_VIDEO_must_be_0_or_1)
     `RT_CHECK(LAYERS == 0 || LAYERS == 1, rt_top_LAYERS_must_be_0_or_1)
+    `RT_CHECK(BUILD == 0 || (BUILD >= 16 && BUILD <= 65536 && (BUILD & (BUILD - 1)) == 0),
+        rt_top_BUILD_must_be_0_or_a_power_of_two_of_16_to_65536)
+    `RT_CHECK(BUILD == 0 || (ACCEL == 0 && BOXES == 0), rt_top_BUILD_excludes_ACCEL_and_BOXES)
     `RT_CHECK(ADDR >= 32 && ADDR <= 40, rt_top_ADDR_must_be_32_to_40)
     `RT_CHECK(FRAME_ID >= 0 && FRAME_ID < 32 && SCAN_ID >= 0 && SCAN_ID < 32,
         rt_top_FRAME_ID_and_SCAN_ID_must_be_0_to_31)
@@ -145,7 +150,7 @@ module rt_top #(
                                 FW << `RT_WIDTH_FW_LSB | PR << `RT_WIDTH_PR_LSB;
     localparam [31:0] DEPTH = `RT_DEEPEST;
     localparam [31:0] A_ENGINES = ENGINES, A_LIGHTS = LIGHTS, A_CONES = CONES, A_COARSE = COARSE,
-                      A_DATA = DATA, A_ADDR = ADDR;
+                      A_DATA = DATA, A_ADDR = ADDR, A_BUILD = BUILD != 0 ? $clog2(BUILD) : 0;
     wire [31:0] parts, bus, status;
     assign parts[31:25] = 7'd0;
     assign parts[`RT_TOP_CORE_PARTS_BOXES]   = BOXES != 0;
@@ -157,19 +162,24 @@ module rt_top #(
     assign parts[`RT_TOP_CORE_PARTS_LIGHTS]  = A_LIGHTS[3:0];
     assign parts[`RT_TOP_CORE_PARTS_DEPTH]   = DEPTH[3:0];
     assign parts[`RT_TOP_CORE_PARTS_ENGINES] = A_ENGINES[3:0];
-    assign bus[31:16] = 16'd0;
+    assign bus[31:21] = 11'd0;
+    assign bus[`RT_TOP_CORE_BUS_BUILD] = A_BUILD[4:0];
     assign bus[`RT_TOP_CORE_BUS_ADDR] = A_ADDR[5:0];
     assign bus[`RT_TOP_CORE_BUS_LAYERS] = LAYERS != 0;
     assign bus[`RT_TOP_CORE_BUS_VIDEO] = VIDEO != 0;
     assign bus[`RT_TOP_CORE_BUS_DATA]  = A_DATA[7:0];
 
     // ---- registers ----
-    wire [6:0]  order, write_addr, read_addr;
+    wire [7:0]  order;
+    wire [6:0]  write_addr, read_addr;
     wire [32*`RT_TOP_SETTINGS-1:0] settings;
     wire [3:0]  machine_write;
     wire [31:0] write_data, machine_data, count_data;
     wire        machine_busy, count_busy, control_busy;
     wire [15:0] errors;
+    wire [4:0]  build_errors;
+    wire [63:0] build_words;
+    wire        build_done;
     wire        done, swap, frame_end, good;
     wire        video_take, blank, underrun, scan_error, scan_stall, video_idle;
     wire [39:0] scene_base = {settings[`RT_TOP_SET_ADDRESS_HIGH_SCENE],
@@ -179,7 +189,7 @@ module rt_top #(
     wire [39:0] frame2 = {settings[`RT_TOP_SET_ADDRESS_HIGH_FRAME2], settings[`RT_TOP_SET_FRAME2]};
     // bits that no register has, or no address
     wire        unused = &{1'b0, settings, scene_base, frame0, frame1, frame2};
-    rt_control #(.LAYERS(LAYERS), .ADDR(ADDR)) u_control (
+    rt_control #(.LAYERS(LAYERS), .ADDR(ADDR), .BUILD(BUILD)) u_control (
         .clk(clk), .rst(rst), .s_awvalid(s_axil_awvalid), .s_awready(s_axil_awready),
         .s_awaddr(s_axil_awaddr), .s_wvalid(s_axil_wvalid), .s_wready(s_axil_wready),
         .s_wdata(s_axil_wdata), .s_wstrb(s_axil_wstrb), .s_bvalid(s_axil_bvalid),
@@ -187,8 +197,8 @@ module rt_top #(
         .s_arready(s_axil_arready), .s_araddr(s_axil_araddr), .s_rvalid(s_axil_rvalid),
         .s_rready(s_axil_rready), .s_rdata(s_axil_rdata), .s_rresp(s_axil_rresp), .irq_o(irq_o),
         .busy_o(control_busy), .built_i({bus, parts, `RT_EFFECTS_BUILT, PROFILE}),
-        .status_i(status),
-        .errors_i(errors), .happened_i({underrun, swap, done}), .good_i(frame_end && good),
+        .status_i(status), .build_i(build_words),
+        .errors_i({build_errors, errors}), .happened_i({build_done, underrun, swap, done}), .good_i(frame_end && good),
         .order_o(order), .settings_o(settings), .machine_write_o(machine_write),
         .write_addr_o(write_addr), .write_data_o(write_data), .read_addr_o(read_addr),
         .machine_data_i(machine_data), .machine_busy_i(machine_busy),
@@ -196,7 +206,7 @@ module rt_top #(
     );
     wire        load, loading, cfg_valid;
     wire [6:0]  cfg_addr;
-    wire [31:0] cfg_data;
+    wire [31:0] cfg_data, core_data;         // as it was written; with the ROOT of the newest tree
     rt_machine u_machine (
         .clk(clk), .rst(rst), .busy_o(machine_busy), .write_i(machine_write),
         .write_addr_i(write_addr), .write_data_i(write_data), .read_addr_i(read_addr),
@@ -211,10 +221,14 @@ module rt_top #(
     wire        read_idle, read_stall, read_slverr, read_decerr, read_burst, read_beat;
     wire        write_dead, write_empty, write_idle, write_stall, write_slverr, write_decerr,
                 write_burst, write_beat;
+    wire [7:0]  run_order;
+    wire        drawing, draining, held, cutting; // a frame; a START that waits; a builder's end
+    assign status[`RT_TOP_STATUS_BUSY]     = drawing || held;
+    assign status[`RT_TOP_STATUS_DRAINING] = draining || cutting;
     rt_run u_run (
-        .clk(clk), .rst(rst), .order_i(order), .limit_i(settings[`RT_TOP_SET_WATCHDOG]),
-        .errors_o(errors), .done_o(done), .busy_o(status[`RT_TOP_STATUS_BUSY]),
-        .draining_o(status[`RT_TOP_STATUS_DRAINING]), .waiting_o(status[`RT_TOP_STATUS_WAITING]),
+        .clk(clk), .rst(rst), .order_i(run_order), .limit_i(settings[`RT_TOP_SET_WATCHDOG]),
+        .errors_o(errors), .done_o(done), .busy_o(drawing),
+        .draining_o(draining), .waiting_o(status[`RT_TOP_STATUS_WAITING]),
         .load_o(load), .loading_i(loading), .core_rst_o(core_rst), .core_start_o(core_start),
         .core_keep_o(core_keep), .core_busy_i(core_busy), .core_errors_i(core_errors),
         .room_i(room), .clear_o(clear), .begin_o(frame_begin), .end_o(frame_end), .good_o(good),
@@ -229,7 +243,7 @@ module rt_top #(
     wire        take  = video ? video_take : take_i || order[`RT_TOP_CONTROL_TAKE];
     wire        again, lost;
     wire [ADDR-1:0] draw_base;
-    assign status[31:11] = 21'd0;
+    assign status[31:14] = 18'd0;
     assign status[`RT_TOP_STATUS_BLANK] = blank;
     assign status[`RT_TOP_STATUS_VALID] = show_valid_o;
     rt_frames #(.LAYERS(LAYERS), .ADDR(ADDR)) u_frames (
@@ -266,7 +280,7 @@ module rt_top #(
         `include "rt_core_pass.vh"
     ) u_core (
         .clk(clk), .rst(core_rst), .cfg_valid_i(cfg_valid), .cfg_addr_i(cfg_addr),
-        .cfg_data_i(cfg_data), .start_i(core_start), .keep_cache_i(core_keep),
+        .cfg_data_i(core_data), .start_i(core_start), .keep_cache_i(core_keep),
         .busy_o(core_busy), .active_o(core_active),
         .mem_req_valid_o(req_valid), .mem_req_ready_i(req_ready),
         .mem_req_line_o(req_line), .mem_req_tag_o(req_tag), .mem_rsp_valid_i(rsp_valid),
@@ -277,6 +291,9 @@ module rt_top #(
         .pix_texture_o(pix_texture),
         .count_addr_i(count_addr), .count_data_o(count), .errors_o(core_errors)
     );
+    wire            arvalid, arready, rvalid, rready;
+    wire [`RT_TAG_BITS-1:0] arid;
+    wire [ADDR-1:0] araddr;
     rt_axi_read #(.DATA(MEM_DATA), .ADDR(ADDR)) u_read (
         .clk(clk), .rst(rst), .begin_i(load), .base_i(scene_base[ADDR-1:0]), .cut_i(core_rst),
         .forget_i(forget), .idle_o(read_idle), .stall_o(read_stall),
@@ -284,9 +301,9 @@ module rt_top #(
         .req_valid_i(req_valid), .req_ready_o(req_ready), .req_line_i(req_line),
         .req_tag_i(req_tag), .rsp_valid_o(rsp_valid), .rsp_ready_i(rsp_ready),
         .rsp_tag_o(rsp_tag), .rsp_data_o(rsp_data), .rsp_error_o(rsp_error),
-        .m_arvalid(m_scene_arvalid), .m_arready(m_scene_arready), .m_arid(m_scene_arid),
-        .m_araddr(m_scene_araddr), .m_arlen(m_scene_arlen), .m_rvalid(m_scene_rvalid),
-        .m_rready(m_scene_rready), .m_rid(m_scene_rid), .m_rdata(m_scene_rdata),
+        .m_arvalid(arvalid), .m_arready(arready), .m_arid(arid),
+        .m_araddr(araddr), .m_arlen(m_scene_arlen), .m_rvalid(rvalid),
+        .m_rready(rready), .m_rid(m_scene_rid), .m_rdata(m_scene_rdata),
         .m_rresp(m_scene_rresp), .m_rlast(m_scene_rlast)
     );
     // a frame's buffers and the engines do not wait for one another within a clock
@@ -297,6 +314,11 @@ module rt_top #(
         .out_data_o({write_frame, write_colour, write_y, write_x})
     );
     wire [3:0] write_pixels;
+    wire                awvalid, awready, wvalid, wready, wlast, bvalid, bready;
+    wire [ADDR-1:0]     awaddr;
+    wire [7:0]          awlen;
+    wire [DATA-1:0]     wdata;
+    wire [DATA/8-1:0]   wstrb;
     rt_frame_write #(.DATA(DATA), .BUFFERS(BUFFERS), .LAYERS(LAYERS), .ADDR(ADDR)) u_frame_write (
         .clk(clk), .rst(rst), .base_i(draw_base), .begin_i(load),
         .mux_i(settings[`RT_TOP_SET_MUX_FRAME]),
@@ -309,10 +331,10 @@ module rt_top #(
         .beat_o(write_beat), .pixels_o(write_pixels), .pix_valid_i(write_valid),
         .pix_ready_o(write_ready), .pix_x_i(write_x), .pix_y_i(write_y),
         .pix_colour_i(write_colour), .pix_frame_i(write_frame),
-        .m_awvalid(m_frame_awvalid), .m_awready(m_frame_awready),
-        .m_awaddr(m_frame_awaddr), .m_awlen(m_frame_awlen), .m_wvalid(m_frame_wvalid),
-        .m_wready(m_frame_wready), .m_wdata(m_frame_wdata), .m_wstrb(m_frame_wstrb),
-        .m_wlast(m_frame_wlast), .m_bvalid(m_frame_bvalid), .m_bready(m_frame_bready),
+        .m_awvalid(awvalid), .m_awready(awready),
+        .m_awaddr(awaddr), .m_awlen(awlen), .m_wvalid(wvalid),
+        .m_wready(wready), .m_wdata(wdata), .m_wstrb(wstrb),
+        .m_wlast(wlast), .m_bvalid(bvalid), .m_bready(bready),
         .m_bresp(m_frame_bresp)
     );
     rt_totals u_totals (
@@ -323,6 +345,83 @@ module rt_top #(
         .pixels_i(write_pixels), .swap_i(swap), .again_i(again), .lost_i(lost),
         .underrun_i(underrun)
     );
+
+    // ---- trees built here ----
+    wire build_busy;
+    generate
+        if (BUILD != 0) begin : g_build
+            wire        start, reads;
+            wire [`RT_LINE_BITS-1:0] root;
+            assign build_busy = status[`RT_TOP_STATUS_BUILDING] || cutting || held;
+            wire [ADDR-1:0] b_araddr, b_awaddr;
+            wire        b_arvalid, b_arready, b_rvalid, b_rready, b_awvalid, b_awready, b_wvalid,
+                        b_wready, b_wlast, b_bvalid, b_bready;
+            wire [7:0]  b_awlen;
+            wire [DATA-1:0] b_wdata;
+            wire [DATA/8-1:0] b_wstrb;
+            rt_builder #(
+                .W(W), .FW(FW), .COUNT(BUILD), .MEM_DATA(MEM_DATA), .DATA(DATA), .ADDR(ADDR)
+            ) u_builder (
+                .clk(clk), .rst(rst), .order_i(order), .settings_i(settings),
+                .base_i(scene_base[ADDR-1:0]), .errors_o(build_errors), .done_o(build_done),
+                .building_o(status[`RT_TOP_STATUS_BUILDING]), .draining_o(cutting),
+                .valid_o(status[`RT_TOP_STATUS_TREE_VALID]),
+                .newest_o(status[`RT_TOP_STATUS_TREE]), .clocks_o(build_words[0 +: 32]),
+                .written_o(build_words[32 +: 32]), .forget_i(forget), .start_o(start),
+                .held_o(held), .load_i(load), .frame_i(drawing || draining), .reads_o(reads),
+                .reads_line_o(root), .m_arvalid(b_arvalid), .m_arready(b_arready),
+                .m_araddr(b_araddr), .m_rvalid(b_rvalid), .m_rready(b_rready),
+                .m_rdata(m_scene_rdata), .m_rresp(m_scene_rresp), .m_awvalid(b_awvalid),
+                .m_awready(b_awready), .m_awaddr(b_awaddr), .m_awlen(b_awlen),
+                .m_wvalid(b_wvalid), .m_wready(b_wready), .m_wdata(b_wdata), .m_wstrb(b_wstrb),
+                .m_wlast(b_wlast), .m_bvalid(b_bvalid), .m_bready(b_bready),
+                .m_bresp(m_frame_bresp)
+            );
+            rt_axi_read_two #(.ADDR(ADDR)) u_reads (
+                .clk(clk), .rst(rst), .a_arvalid(arvalid), .a_arready(arready), .a_arid(arid),
+                .a_araddr(araddr), .a_rvalid(rvalid), .a_rready(rready), .b_arvalid(b_arvalid),
+                .b_arready(b_arready), .b_araddr(b_araddr), .b_rvalid(b_rvalid),
+                .b_rready(b_rready), .m_arvalid(m_scene_arvalid), .m_arready(m_scene_arready),
+                .m_arid(m_scene_arid), .m_araddr(m_scene_araddr), .m_rvalid(m_scene_rvalid),
+                .m_rready(m_scene_rready), .m_rid(m_scene_rid)
+            );
+            rt_axi_write_two #(.DATA(DATA), .ADDR(ADDR)) u_writes (
+                .clk(clk), .rst(rst), .forget_i(forget), .a_awvalid(awvalid),
+                .a_awready(awready), .a_awaddr(awaddr), .a_awlen(awlen), .a_wvalid(wvalid),
+                .a_wready(wready), .a_wdata(wdata), .a_wstrb(wstrb), .a_wlast(wlast),
+                .a_bvalid(bvalid), .a_bready(bready), .b_awvalid(b_awvalid),
+                .b_awready(b_awready), .b_awaddr(b_awaddr), .b_awlen(b_awlen),
+                .b_wvalid(b_wvalid), .b_wready(b_wready), .b_wdata(b_wdata), .b_wstrb(b_wstrb),
+                .b_wlast(b_wlast), .b_bvalid(b_bvalid), .b_bready(b_bready),
+                .m_awvalid(m_frame_awvalid), .m_awready(m_frame_awready),
+                .m_awaddr(m_frame_awaddr), .m_awlen(m_frame_awlen), .m_wvalid(m_frame_wvalid),
+                .m_wready(m_frame_wready), .m_wdata(m_frame_wdata), .m_wstrb(m_frame_wstrb),
+                .m_wlast(m_frame_wlast), .m_bvalid(m_frame_bvalid), .m_bready(m_frame_bready)
+            );
+            genvar n;
+            for (n = 0; n < 8; n = n + 1) begin : g_order
+                assign run_order[n] = n == `RT_TOP_CONTROL_START ? start
+                    : order[n] && !(n == `RT_TOP_CONTROL_KEEP_CACHE && held);
+            end
+            assign core_data = reads && cfg_addr == `RT_REG_ROOT
+                               ? {{(32-`RT_LINE_BITS){1'b0}}, root} : cfg_data;
+        end else begin : g_no_build
+            assign build_errors = 5'd0;
+            assign build_words  = 64'd0;
+            assign {build_done, held, cutting, build_busy} = 4'd0;
+            assign {status[`RT_TOP_STATUS_BUILDING], status[`RT_TOP_STATUS_TREE_VALID],
+                    status[`RT_TOP_STATUS_TREE]} = 3'd0;
+            assign run_order = order;
+            assign core_data = cfg_data;
+            assign {m_scene_arvalid, m_scene_arid, m_scene_araddr, m_scene_rready} =
+                   {arvalid, arid, araddr, rready};
+            assign {arready, rvalid} = {m_scene_arready, m_scene_rvalid};
+            assign {m_frame_awvalid, m_frame_awaddr, m_frame_awlen, m_frame_wvalid, m_frame_wdata,
+                    m_frame_wstrb, m_frame_wlast, m_frame_bready} =
+                   {awvalid, awaddr, awlen, wvalid, wdata, wstrb, wlast, bready};
+            assign {awready, wready, bvalid} = {m_frame_awready, m_frame_wready, m_frame_bvalid};
+        end
+    endgenerate
 
     // ---- display ----
     generate
@@ -379,7 +478,7 @@ module rt_top #(
     wire now = rst || core_active || s_axil_awvalid || s_axil_wvalid || s_axil_arvalid ||
                control_busy || machine_busy || count_busy || status[`RT_TOP_STATUS_BUSY] ||
                status[`RT_TOP_STATUS_DRAINING] || !read_idle || !write_idle || take_i ||
-               !video_idle;
+               !video_idle || build_busy;
     assign active_o = now || was_q;
     always @(posedge clk) was_q <= now;
 endmodule

@@ -5,12 +5,15 @@
  *     each rising edge of its clock: part.edge(pins); dq_i = part.out();
  *     if (!part.error().empty()) ...       // the first rule that was broken
  *
- * Words that nobody drives read as noise.
+ * Words that nobody drives read as noise. Of refreshes, 8192 come in any 64 ms, and at most nine
+ * are owed at the rate of one each 7.8 us, whatever came before in plenty.
  */
 #ifndef TB_SDRAM_MODEL_H
 #define TB_SDRAM_MODEL_H
 
+#include <algorithm>
 #include <cstdint>
+#include <deque>
 #include <string>
 #include <unordered_map>
 
@@ -31,12 +34,20 @@ class Sdram : SdramTimes {
     uint64_t commands(unsigned which) const { return count_[which & 7]; }
     uint64_t clocks() const { return (uint64_t)clock_; }
     uint64_t first() const { return (uint64_t)first_; }
-    uint64_t shortest() const { return (uint64_t)shortest_; } /* clocks that a row was open */
+    /* Clocks of the fewest that a rule was kept by: a bench sees whether its controller waits for
+     * longer than it has to. */
+    struct Shortest {
+        int64_t ras = 1000, rp = 1000, rcd = 1000, rfc = 1000, wr = 1000;
+    };
+    const Shortest &shortest() const { return shortest_; }
     /* The controller was reset: it begins as at power-up, and its pause may be that long. */
     void restart() {
         precharged_ = ready_ = false;
         refreshes_ = 0;
+        autos_.clear();
         write_.first = -1000;
+        for (Bank &each : banks_)
+            each.open = false;
     }
     /* The word of 64 bits at a column of a row. */
     uint64_t word(unsigned bank, unsigned row, unsigned column) const {
@@ -52,8 +63,7 @@ class Sdram : SdramTimes {
         clock_++;
         if (p.cke) step(p);
         data(p);
-        /* a word is refreshed in time, if 8192 refreshes come in any 64 ms */
-        if (ready_ && since(refreshed_) > 9 * T_REFI) fail("more than 9 refreshes are owed");
+        if (ready_) refreshes();
     }
 
   private:
@@ -66,8 +76,10 @@ class Sdram : SdramTimes {
     double ns_;
     int64_t clock_ = 0, refreshed_ = -1000, activated_ = -1000, mode_at_ = -1000;
     int64_t first_ = 0; /* clock of the first command */
-    int64_t shortest_ = 1000;
+    Shortest shortest_;
     int refreshes_ = 0;
+    std::deque<int64_t> autos_; /* clocks of the last refreshes, ROWS of them */
+    double paid_ = 0;           /* ns until which refreshes are not owed */
     bool precharged_ = false, ready_ = false;
     uint64_t count_[8] = {};
     uint16_t out_ = 0;
@@ -87,6 +99,14 @@ class Sdram : SdramTimes {
             fail(std::string(name) + ": " + std::to_string((int)is) + " ns, not " +
                  std::to_string((int)wanted));
     }
+    void refreshes() {
+        const double now = (double)clock_ * ns_;
+        if (now - paid_ > 9 * T_REFI) fail("more than 9 refreshes are owed");
+        const int64_t then = (int)autos_.size() == ROWS ? autos_.front() : mode_at_;
+        if (since(then) > T_REF) fail("8192 refreshes last for longer than 64 ms");
+    }
+    /* Clocks since then, and the least that there were. */
+    void seen(int64_t &least, int64_t then) const { least = std::min(least, clock_ - then); }
     void step(const SdramPins &p) {
         if (p.command & 8 || p.command == NOP) return;
         Bank &b = banks_[p.bank];
@@ -94,7 +114,8 @@ class Sdram : SdramTimes {
         if (!first_) first_ = clock_;
         if (clock_ * ns_ < T_POWER) fail("a command before power is stable");
         if (clock_ - mode_at_ < 2) fail("tMRD");
-        if (p.command != NOP) least(since(refreshed_), T_RFC, "tRFC");
+        least(since(refreshed_), T_RFC, "tRFC");
+        seen(shortest_.rfc, refreshed_);
         switch (p.command) {
         case MODE:
             if (!precharged_ || refreshes_ < 2) fail("mode before precharge and two refreshes");
@@ -102,14 +123,20 @@ class Sdram : SdramTimes {
             for (const Bank &each : banks_)
                 if (each.open) fail("mode while a bank is open");
             mode_at_ = clock_;
+            paid_ = (double)clock_ * ns_;
             ready_ = true;
             break;
         case AUTO:
             for (const Bank &each : banks_) {
                 if (each.open) fail("refresh while a bank is open");
                 least(since(each.precharged), T_RP, "tRP");
+                least(since(each.activated), T_RC, "tRC");
+                seen(shortest_.rp, each.precharged);
             }
             refreshed_ = clock_;
+            paid_ = std::min(paid_, (double)clock_ * ns_ + 8 * T_REFI) + T_REFI;
+            autos_.push_back(clock_);
+            if ((int)autos_.size() > ROWS) autos_.pop_front();
             refreshes_++;
             break;
         case PRECHARGE:
@@ -121,6 +148,7 @@ class Sdram : SdramTimes {
             if (!ready_) fail("used before its mode is set");
             if (b.open) fail("a bank is opened twice");
             least(since(b.precharged), T_RP, "tRP");
+            seen(shortest_.rp, b.precharged);
             least(since(b.activated), T_RC, "tRC");
             least(since(activated_), T_RRD, "tRRD");
             b.open = true;
@@ -132,6 +160,7 @@ class Sdram : SdramTimes {
             if (!b.open) fail("a column of a closed bank");
             if (p.address >> 10 & 1) fail("auto precharge, which nothing here asks for");
             least(since(b.activated), T_RCD, "tRCD");
+            seen(shortest_.rcd, b.activated);
             if (p.address & 3) fail("a burst that wraps");
             burst(p, b);
             break;
@@ -143,10 +172,12 @@ class Sdram : SdramTimes {
         if (!b.open) return;
         least(since(b.activated), T_RAS, "tRAS");
         least(since(b.written), T_WR, "tWR");
+        if (since(b.activated) > T_RAS_MOST) fail("a row is open for too long");
         if (clock_ - b.read < 4) fail("a read is cut off");
         b.open = false;
         b.precharged = clock_;
-        if (clock_ - b.activated < shortest_) shortest_ = clock_ - b.activated;
+        seen(shortest_.ras, b.activated);
+        seen(shortest_.wr, b.written);
     }
     void burst(const SdramPins &p, Bank &b) {
         const uint32_t at = p.bank << 22 | b.row << 9 | (p.address & 0x1ff);

@@ -2,10 +2,12 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * Masters ask for reads and writes at random times; the block takes address and data in any order
- * and answers late. A vector is an access.
+ * and answers late. Now and then all is reset, in the middle of accesses: the block is nobody's in
+ * the clock behind it. A vector is an access.
  */
 #include "Vrt_lite_choice.h"
 #include "bench.h"
+#include "stimulus.h"
 
 namespace {
 
@@ -14,11 +16,22 @@ struct Master {
     uint32_t at = 0, value = 0;
 };
 
+/* Events of a clock. */
+enum { READS = 1, WRITES = 2, /* of master 1: two bits up */ ANSWER = 16, RESET = 32 };
+
 struct Rig {
     bench::Bench<Vrt_lite_choice> &b;
     Vrt_lite_choice &dut;
+    bench::Stimulus driven;
+    bench::Points *address[2] = {&driven.alone("address of master 0", 12),
+                                 &driven.alone("address of master 1", 12)};
+    bench::Points &met = driven.together(
+        "a clock", {"0 reads", "0 writes", "1 reads", "1 writes", "an answer", "a reset"},
+        {{0, 1}, {2, 3}});
+    bench::Points &owner = driven.values("reset while the block is of", {"0", "1"});
     Master masters[2];
     bool aw = false, w = false, ar = false; /* what the block has taken */
+    int at_owner = 0;                       /* whose access that is */
     uint32_t at = 0, value = 0;
 
     explicit Rig(bench::Bench<Vrt_lite_choice> &bench) : b(bench), dut(bench.dut) {}
@@ -29,7 +42,9 @@ struct Rig {
             if (!m.busy && b.random.percent(20)) {
                 m.busy = m.address = true;
                 m.write = m.data = b.random.percent(50);
-                m.at = (uint32_t)b.random.below(1 << 12);
+                m.at = b.random.percent(50) ? m.at ^ 1u << b.random.below(12)
+                                            : (uint32_t)b.random.below(1 << 12);
+                address[i]->word(m.at);
                 m.value = (uint32_t)b.random.next();
             }
             dut.s_awvalid |= (m.address && m.write) << i;
@@ -53,14 +68,37 @@ struct Rig {
         m.busy = false;
         b.done();
     }
+    /* All at once, as on a board. */
+    void reset() {
+        b.reset(1 + b.random.below(3));
+        for (Master &m : masters)
+            m = Master();
+        aw = w = ar = false;
+        dut.s_awvalid = dut.s_arvalid = dut.s_wvalid = 3;
+        dut.eval();
+        if (dut.m_awvalid || dut.m_wvalid || dut.m_arvalid) b.fail("an owner behind a reset");
+    }
     void clock() {
         offer();
         dut.eval();
+        const bool resets = b.random.below(100) == 0;
+        unsigned events = resets ? RESET : 0;
+        for (int i = 0; i < 2; i++)
+            if (masters[i].busy) events |= (masters[i].write ? WRITES : READS) << 2 * i;
+        if (dut.m_bvalid || dut.m_rvalid) events |= ANSWER;
+        met.clock(events);
+        if (resets && (aw || w || ar)) owner.value(at_owner);
+        if (resets) return reset();
         const unsigned bs = dut.s_bvalid, rs = dut.s_rvalid;
         if ((bs & (bs - 1)) || (rs & (rs - 1)) || !bs != !dut.m_bvalid || !rs != !dut.m_rvalid)
             b.fail("an answer to both, or to none");
         for (int i = 0; i < 2; i++) {
             Master &m = masters[i];
+            if ((dut.s_awvalid & dut.s_awready | dut.s_wvalid & dut.s_wready |
+                 dut.s_arvalid & dut.s_arready) >>
+                    i &
+                1)
+                at_owner = i;
             if (dut.s_awvalid & dut.s_awready & 1 << i || dut.s_arvalid & dut.s_arready & 1 << i)
                 m.address = false;
             if (dut.s_wvalid & dut.s_wready & 1 << i) m.data = false;
@@ -86,5 +124,6 @@ int main(int argc, char **argv) {
     b.reset();
     while (b.more())
         rig.clock();
+    if (!rig.driven.whole() && b.all_vectors) b.fail("the list of stimulus");
     return b.finish();
 }

@@ -2,9 +2,11 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * The tool runs as it would before a board; the bytes of its terminal are the bits of the line. A
- * block of registers answers as rt_top would. Then the line and the buses go wrong, and the tool
- * must say so; and a packet that was left half sent must not hurt the next load. Then packets of
- * any address and length come, at buses that take their time.
+ * block of registers answers as rt_top would. A wrong bit makes the tool send its packet again;
+ * when the line, or a bus, goes wrong for good, the tool must say so; a packet that was left half
+ * sent must not hurt the next load. Then packets of any address and length come, at buses that take
+ * their time, with a wrong bit in any of their parts, with an end too early, and with resets: what
+ * is not whole does nothing.
  */
 #include <csignal>
 #include <fcntl.h>
@@ -17,6 +19,7 @@
 
 #include "Vrt_uart_bus.h"
 #include "bench.h"
+#include "stimulus.h"
 
 extern "C" {
 #include "machine/machine.h"
@@ -32,7 +35,8 @@ struct Board {
     sph_machine &machine;
     std::map<uint32_t, uint32_t> registers, memory;
     uint32_t last_write = 0;
-    unsigned busy = 0, bytes = 0, spoilt = 0; /* spoilt: the byte with a wrong bit, from 1 */
+    /* the byte with a wrong bit, from 1; how many from one to the next, 0: there is no other */
+    unsigned busy = 0, bytes = 0, spoilt = 0, again = 0;
     bool slverr = false, deaf = false;
     std::string sent;          /* by the board */
     bool slow = false;         /* handshakes and answers wait */
@@ -149,7 +153,7 @@ struct Board {
             clock();
     }
     void speak(unsigned byte) {
-        if (++bytes == spoilt) byte ^= 4;
+        if (++bytes == spoilt) byte ^= 4, spoilt += again;
         for (unsigned bits = (byte | 256) << 1, i = 0; i < 10; i++, bits >>= 1) {
             dut.rx_i = bits & 1;
             clocks(DIV);
@@ -186,75 +190,162 @@ struct Board {
     }
 };
 
-/* A packet: its bytes, with the check, which is wrong by `error`. */
-void packet(Board &board, bool write, uint32_t address, const std::vector<uint32_t> &words,
-            unsigned error, unsigned pause) {
-    std::vector<unsigned> bytes = {write ? (unsigned)'W' : (unsigned)'R'};
-    const auto add = [&bytes](uint32_t word) {
-        for (int i = 0; i < 4; i++)
-            bytes.push_back(word >> 8 * i & 255);
-    };
-    add(address);
+/* ---- packets of any kind ---- */
+
+/* What is wrong with a packet. */
+enum { NOTHING, OPERATION, ADDRESS, COUNT, WORD, CHECK, STOPS, RESET, RESET_BUS, KINDS };
+
+typedef std::vector<unsigned> Bytes;
+
+void add(Bytes &bytes, uint32_t word) {
+    for (int i = 0; i < 4; i++)
+        bytes.push_back(word >> 8 * i & 255);
+}
+
+Bytes packet(bool write, uint32_t address, const std::vector<uint32_t> &words) {
+    Bytes bytes = {write ? (unsigned)'W' : (unsigned)'R'};
+    add(bytes, address);
     if (write) bytes.push_back((unsigned)words.size());
     if (write)
         for (uint32_t word : words)
-            add(word);
-    unsigned sum = error;
+            add(bytes, word);
+    unsigned sum = 0;
     for (unsigned byte : bytes)
         sum += byte;
     bytes.push_back(-sum & 255);
-    for (unsigned byte : bytes) {
-        board.speak(byte);
-        board.clocks((unsigned)board.b.random.below(4) + pause);
-        pause = 0; /* it stands behind the first */
-    }
+    return bytes;
 }
 
-/* Packets of any kind: what the buses get, in order, and the answer, which comes behind theirs. */
-void packets(Board &board, bench::Bench<Vrt_uart_bus> &b) {
-    board.slow = true;
-    for (int i = 0; i < 150; i++) {
-        const bool write = b.random.percent(70);
-        const uint32_t address = (uint32_t)b.random.next();
-        std::vector<uint32_t> words(1 + b.random.below(4)), wanted;
-        const unsigned error = b.random.percent(20) ? 1 + (unsigned)b.random.below(255) : 0;
-        board.slverr = b.random.percent(20);
-        board.given = (uint32_t)b.random.next();
-        board.log.clear();
-        board.sent.clear();
-        for (size_t k = 0; k < words.size(); k++) {
-            const uint32_t at = address + 4 * (uint32_t)k;
-            words[k] = (uint32_t)b.random.next();
-            if (!write || (error && k + 1 == words.size())) continue;
+/* Whether these bytes begin with a packet, which a wrong bit can make of them. */
+bool whole(const Bytes &bytes) {
+    if (bytes.size() < 6 || (bytes[0] != 'W' && bytes[0] != 'R')) return false;
+    const size_t size = bytes[0] == 'R' ? 6 : 7 + 4 * (size_t)bytes[5];
+    unsigned sum = 0;
+    for (size_t i = 0; i < size && i < bytes.size(); i++)
+        sum += bytes[i];
+    return (bytes[0] == 'R' || bytes[5]) && size <= bytes.size() && !(sum & 255);
+}
+
+class Packets {
+  public:
+    Packets(Board &board, bench::Bench<Vrt_uart_bus> &bench) : board_(board), b(bench) {}
+    bench::Stimulus driven;
+
+    /* What the buses get, in order, and the answer, which comes behind theirs. */
+    void any(int n) {
+        board_.slow = true;
+        for (int i = 0; i < n; i++) {
+            one(i);
+            b.done();
+        }
+        board_.slverr = false;
+    }
+    /* The last clock in which a packet goes on, and the first in which it is over. */
+    void silence() {
+        for (unsigned late = 0; late < 2; late++) {
+            const Bytes bytes = packet(false, 0x44332211, {});
+            board_.sent.clear();
+            board_.speak(bytes[0]);
+            board_.clocks((1u << IDLE) - 10 * DIV + late);
+            for (size_t i = 1; i < bytes.size(); i++)
+                board_.speak(bytes[i]);
+            settle();
+            b.expect("the answer to a packet that stops", board_.sent[0], late ? 'N' : 'K');
+            b.expect("its bytes", (uint64_t)board_.sent.size(), late ? 2u : 5u); /* N of the rest */
+        }
+        b.done();
+    }
+
+  private:
+    Board &board_;
+    bench::Bench<Vrt_uart_bus> &b;
+    uint32_t address_ = 0;
+    bench::Points &bits_ = driven.alone("address", 32);
+    bench::Points &wrong_ = driven.values(
+        "a packet with",
+        {"all right", "another operation", "a wrong address", "a wrong count", "a wrong word",
+         "a wrong check", "its end too early", "a reset in it", "a reset while a bus is busy"});
+    bench::Points &size_ = driven.values("words", {"1", "2", "254", "255"});
+    bench::Points &met_ =
+        driven.together("packets", {"writes", "reads", "registers", "memory", "a refusal"},
+                        {{0, 1}, {1, 3}, {2, 3}});
+
+    void settle() { board_.clocks((1u << IDLE) + 3000); }
+    void reset() {
+        b.reset(1 + b.random.below(3));
+        board_.have = board_.out_bit = board_.out_wait = 0;
+        board_.sent.clear();
+    }
+    void one(int i) {
+        bench::Random &r = b.random;
+        const bool write = r.percent(70);
+        const size_t few = r.percent(4) ? 254 + r.below(2) : 1 + r.below(4);
+        unsigned kind = r.percent(40) ? (unsigned)NOTHING : (unsigned)r.below(KINDS);
+        if (!write && (kind == COUNT || kind == WORD)) kind = CHECK;
+        std::vector<uint32_t> words(write ? few : 0), wanted;
+        for (uint32_t &word : words)
+            word = (uint32_t)r.next();
+        address_ = i < 64 ? address_ ^ 1u << i % 32 : (uint32_t)r.next();
+        board_.slverr = r.percent(20);
+        board_.given = (uint32_t)r.next();
+        board_.log.clear();
+        board_.sent.clear();
+
+        Bytes bytes = packet(write, address_, words);
+        const unsigned bit = 1u << r.below(8);
+        static const size_t places[] = {0, 1, 5, 6};
+        if (kind >= OPERATION && kind <= WORD) {
+            const size_t at = places[kind - OPERATION];
+            bytes[at + (kind == ADDRESS ? r.below(4) : kind == WORD ? r.below(4 * few) : 0)] ^= bit;
+        } else if (kind == CHECK) {
+            bytes.back() ^= bit;
+        } else if (kind == STOPS || kind == RESET) {
+            bytes.resize(1 + r.below(bytes.size() - 1));
+        }
+        const bool good = kind == NOTHING || kind == RESET_BUS;
+        if (!good && whole(bytes)) return; /* no check of eight bits notices that */
+        bits_.word(address_);
+        wrong_.value(kind);
+        if (good && write)
+            size_.value(few < 3 ? (int64_t)few - 1 : few > 4 ? (int64_t)few - 252 : -1);
+        const unsigned where = write && !(address_ >> 31) ? 8u : 4u;
+        if (kind == NOTHING) met_.clock((write ? 1u : 2u) | where | (board_.slverr ? 16u : 0u));
+        for (unsigned byte : bytes) {
+            board_.speak(byte);
+            board_.clocks((unsigned)r.below(4));
+        }
+        if (kind == RESET_BUS)
+            for (uint64_t n = r.below(100); n--;)
+                board_.clock();
+        if (kind >= RESET) {
+            reset();
+            const std::vector<uint32_t> before = board_.log;
+            settle();
+            b.expect("words behind a reset", board_.log == before, 1);
+            b.expect("answers behind a reset", (uint64_t)board_.sent.size(), 0u);
+            return;
+        }
+        for (size_t k = 0; good && k < words.size() && !(board_.slverr && k); k++) {
+            const uint32_t at = address_ + 4 * (uint32_t)k;
             wanted.insert(wanted.end(), {at, words[k], at >> 31 ? 0 : at & 4 ? 0xf0u : 0x0fu});
         }
-        packet(board, write, address, words, error, 0);
-        const bool bad = error || (board.slverr && (!write || !wanted.empty()));
-        board.clocks(1500 + (unsigned)b.random.below(2));
-        b.expect("writes", board.log == wanted, 1);
-        const size_t size = write ? 1 : 5;
-        if (b.expect("bytes of the answer", (uint64_t)board.sent.size(), size)) {
-            for (unsigned k = 0; !write && !error && k < 4; k++)
-                b.expect("a byte that is read", (unsigned char)board.sent[k],
-                         board.given >> 8 * k & 255);
-            b.expect("the answer", board.sent[size - 1], bad ? 'E' : 'K');
+        settle();
+        for (size_t n = good ? few : 0; n > 8; n -= 8) /* the buses take their time */
+            board_.clocks(2000);
+        b.expect("writes", board_.log == wanted, 1);
+        const char answer = !good ? 'N' : board_.slverr ? 'E' : 'K';
+        const size_t size = answer == 'K' && !write ? 5 : 1;
+        if (b.expect("bytes of the answer", (uint64_t)board_.sent.size(), size)) {
+            b.expect("the answer", board_.sent[0], answer);
+            for (unsigned k = 1; k < size; k++)
+                b.expect("a byte that is read", (unsigned char)board_.sent[k],
+                         board_.given >> 8 * (k - 1) & 255);
         }
-        if (b.bad()) b.show("address", address, 32), b.show("write", write, 1);
+        if (b.bad()) b.show("address", address_, 32), b.show("what is wrong", kind, 4);
     }
-    b.done();
-    /* The last clock in which a packet goes on, and the first in which it is forgotten. */
-    board.slverr = false;
-    for (unsigned late = 0; late < 2; late++) {
-        board.sent.clear();
-        board.speak('R');
-        board.clocks((1u << IDLE) - 10 * DIV + late);
-        for (unsigned byte : {0x11u, 0x22u, 0x33u, 0x44u, -(0x52u + 0xaau) & 255})
-            board.speak(byte);
-        board.clocks(1500);
-        b.expect("answers to a packet that stops", (uint64_t)board.sent.size(), late ? 0u : 5u);
-    }
-    b.done();
-}
+};
+
+/* ---- loads ---- */
 
 /* What arrived is what the file has. */
 void same(Board &board, bench::Bench<Vrt_uart_bus> &b) {
@@ -290,15 +381,20 @@ int main(int argc, char **argv) {
     board.clocks(100);
     b.expect("a load", (uint64_t)board.load(tool.c_str(), file.c_str()), 0u);
     same(board, b);
-    const std::map<uint32_t, uint32_t> right = board.registers;
-    for (unsigned i = 0; i < 4; i++) { /* the words of a packet with a wrong bit stay away */
+    for (unsigned i = 0; i < 8; i++) { /* each in another place of its packet */
         board.bytes = 0;
-        board.spoilt = 700 + 3 * i;
-        b.expect("a wrong bit is told", (uint64_t)board.load(tool.c_str(), file.c_str()), 1u);
-        for (const auto &is : board.registers)
-            if (is.first != SPHAERA_CONTROL && is.first != SPHAERA_INTERRUPT_ENABLE)
-                b.expect("a register", is.second, right.count(is.first) ? right.at(is.first) : ~0u);
+        board.spoilt = i < 4 ? 1 + 2 * i : 700 + 3 * i;
+        board.registers.clear();
+        board.memory.clear();
+        b.expect("a load with a wrong bit", (uint64_t)board.load(tool.c_str(), file.c_str()), 0u);
+        same(board, b);
     }
+    const std::map<uint32_t, uint32_t> right = board.registers, full = board.memory;
+    board.bytes = 0;
+    board.spoilt = board.again = 5; /* in all packets */
+    b.expect("a bad line is told", (uint64_t)board.load(tool.c_str(), file.c_str()), 1u);
+    b.expect("registers behind it", board.registers == right, 1);
+    b.expect("memory behind it", board.memory == full, 1);
     b.done();
     board.spoilt = 0;
     board.slverr = true;
@@ -311,12 +407,14 @@ int main(int argc, char **argv) {
     board.deaf = false;
     board.speak('W');
     board.speak(0x12);
-    board.clocks(2u << IDLE);
     board.registers.clear();
     board.memory.clear();
     b.expect("a load after half a packet", (uint64_t)board.load(tool.c_str(), file.c_str()), 0u);
     same(board, b);
-    packets(board, b);
+    Packets packets(board, b);
+    packets.any(400);
+    packets.silence();
+    if (!packets.driven.whole() && b.all_vectors) b.fail("the list of stimulus");
     sph_machine_free(&machine);
     return b.finish();
 }

@@ -82,9 +82,9 @@ class Board {
         Board &b = *(Board *)user;
         b.packet({'R', (uint8_t)offset, (uint8_t)(offset >> 8), 0, 0x80});
         uint32_t value = 0;
+        b.acknowledged();
         for (int i = 0; i < 4; i++)
             value |= b.hear() << 8 * i;
-        b.acknowledged();
         return value;
     }
     static void set(void *user, uint32_t offset, uint32_t value) {

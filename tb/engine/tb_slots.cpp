@@ -250,7 +250,7 @@ class Slots : public bench::Bench<Vrt_slots> {
     void tell(int at, Hit &h) {
         Slot &s = slots[at];
         bool shadow = s.state == Slot::SHADE, primary = s.state == Slot::PRIMARY;
-        bool found = random.percent(60), out = !shadow && random.percent(5);
+        bool found = random.percent(60), out = random.percent(5);
         uint32_t room = lines - prims;
         bool first = primary && !s.again && INTERPENETRATE && effect && random.percent(70);
         h.id = out ? room + (uint32_t)random.below(100) : (uint32_t)random.below(room);

@@ -92,6 +92,7 @@ int main(int argc, char **argv) {
                 b.show("in_key_i", (bench::i128)inside.key, KW);
                 b.show("in_a_i", (bench::i128)inside.a, AW);
             }
+            b.expect("in_ready_o beside a quotient", t.in_ready_o, 0);
             if (t.out_ready_i) b.done();
         }
         if (offered && t.in_ready_o) {

@@ -7,8 +7,9 @@
  * time, each put together from the beats of that line, with an error if one of its beats had one.
  * Memory gives the next beat of any client's first line. At most PENDING lines are on their way,
  * and so many are if memory is late; outputs are stable while they wait; with all clients asking,
- * none waits for more than CLIENTS turns. Throughput: a line in as many cycles as it has beats.
- * A reset of both sides in each state leaves nothing behind.
+ * none waits for more than CLIENTS turns; it is busy just as long as a line is due. Throughput: a
+ * line in as many cycles as it has beats. A reset of both sides in each state leaves nothing
+ * behind.
  */
 #include <algorithm>
 #include <cstdio>
@@ -98,6 +99,7 @@ class Bench {
     void drive(const Phase &phase, uint64_t sent, uint64_t lines);
     uint32_t watch_requests();
     uint64_t watch_answers();
+    void watch_busy();
     void watch_memory(const Phase &phase);
 
     bench::Random random_;
@@ -114,6 +116,7 @@ class Bench {
     bool failed_ = false;
     uint64_t now_ = 0;
     uint64_t progress_ = 0;
+    bool was_due_ = true;
     bool held_mem_ = false;
     uint32_t held_line_ = 0, held_tag_ = 0;
     uint32_t held_rsp_ = 0; /* clients whose line waited in the last cycle */
@@ -245,6 +248,16 @@ uint64_t Bench::watch_answers() {
     return 1;
 }
 
+/* Busy while a line is asked for, on its way or not taken, and until a clock behind that. */
+void Bench::watch_busy() {
+    bool due = top_->req_valid_i != 0;
+    for (const std::deque<uint32_t> &lines : waiting_)
+        due |= !lines.empty();
+    if (top_->busy_o < due) fail("not busy, though a line is due", 0);
+    if (top_->busy_o > (due || was_due_)) fail("busy with nothing", 0);
+    was_due_ = due;
+}
+
 void Bench::watch_memory(const Phase &phase) {
     if (held_mem_ && (!top_->mem_req_valid_o || top_->mem_req_line_o != held_line_ ||
                       top_->mem_req_tag_o != held_tag_))
@@ -314,6 +327,7 @@ bool Bench::reset() {
     memory_.clear();
     shown_ = held_mem_ = false;
     held_rsp_ = 0;
+    was_due_ = true;
     progress_ = now_;
     return true;
 }
@@ -328,6 +342,7 @@ bool Bench::run(const Phase &phase, uint64_t lines, uint64_t seed) {
         drive(phase, sent, lines);
         top_->eval();
         note();
+        watch_busy();
         answered += watch_answers();
         uint32_t taken = watch_requests();
         sent += taken != 0;

@@ -2,8 +2,9 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * A vector is a word that leaves. Clocks, and odds of producer and consumer, change from time to
- * time. Checked: order and values; a word waits unchanged; the producer is never told of less than
- * is inside, nor of room that there is not; a word is out within eight edges of the reader's clock.
+ * time; both sides are reset together with words inside. Checked: order and values; a word waits
+ * unchanged; the producer is never told of less than is inside, nor of room that there is not; a
+ * word is out within eight edges of the reader's clock.
  */
 #include <deque>
 #include "Vrt_async_fifo.h"
@@ -31,7 +32,9 @@ class Check {
     void edge() {
         Top &dut = b.dut;
         edges++;
-        if (edges == 40) dut.wr_rst = dut.rd_rst = 0;
+        /* both sides now and then, whatever is inside; each sees some edges of its clock */
+        if (edges % RESETS == 0) dut.wr_rst = dut.rd_rst = 1, model.clear(), waits = false;
+        if (edges % RESETS == 40) dut.wr_rst = dut.rd_rst = 0;
         if (edges % 1000 == 0)
             for (int i = 0; i < 2; i++) {
                 period[i] = 1000 + b.random.below(4000);
@@ -40,7 +43,7 @@ class Check {
         const bool wr = next[0] <= next[1], rd = next[1] <= next[0];
         if (wr) {
             next[0] += period[0];
-            dut.wr_valid_i = edges > 80 && b.random.percent(odds[0]);
+            dut.wr_valid_i = edges % RESETS > 80 && b.random.percent(odds[0]);
             dut.wr_data_i = (decltype(+dut.wr_data_i))b.random.bits(WIDTH);
         }
         if (rd) {
@@ -58,6 +61,7 @@ class Check {
     }
 
   private:
+    static constexpr uint64_t RESETS = 5000; /* edges from one reset to the next */
     bench::Bench<Top> &b;
     std::deque<Word> model;
     uint64_t next[2] = {0, 500}, period[2] = {1000, 1000}, waiting = 0;

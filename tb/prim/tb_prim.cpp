@@ -5,8 +5,8 @@
  * or not, some of them of no kind, some with an error, some clear to rays towards a light. Some
  * rays are as long as they can be, and meet spheres around all that there is. A vector is a result;
  * a slot has up to four tests under way, whose results come in any order. Now and then all of them
- * are of one sphere and a ray that hits it, so that the queue of roots is full. The default run has
- * to meet every kind with every outcome.
+ * are of one sphere and a ray that hits it, so that the queue of roots is full: later on there is
+ * as much room for them. The default run has to meet every kind with every outcome.
  */
 #include "Vrt_prim.h"
 #include "engine/results.h"
@@ -58,6 +58,10 @@ class Prim : public bench::Bench<Vrt_prim> {
             s.begun = false; /* rays carry what the model knows of INSIDE */
         pace = random.percent(50) ? 100 : (unsigned)random.between(2, 60);
         burst = random.percent(30), lucky = false;
+        if (++phases_of_room == 50) {
+            if (most < ROOM) fail("the tests under way at once became fewer");
+            phases_of_room = most = 0;
+        }
         for (long &n : seen)
             n = 0;
         counters = {};
@@ -70,6 +74,7 @@ class Prim : public bench::Bench<Vrt_prim> {
         expect("bad_o", dut.bad_o, taken && offered == NO_KIND, 1);
         if (bad()) done();
         if (taken) take();
+        most = std::max(most, under_way());
         seen[0] += bench::get(dut.event_o, RT_PRIM_EVENT_LEAF) != 0;
         seen[1] += bench::get(dut.event_o, RT_PRIM_EVENT_FACET) != 0;
         seen[2] += bench::get(dut.event_o, RT_PRIM_EVENT_ROOT) != 0;
@@ -78,6 +83,13 @@ class Prim : public bench::Bench<Vrt_prim> {
             world::take_result(*this, slots, dut.result_o);
         tick();
         if (taken) dut.in_valid_i = 0;
+    }
+
+    int under_way() const {
+        size_t n = 0;
+        for (const Slot &s : slots)
+            n += s.wanted.size();
+        return (int)n;
     }
 
     bool all_idle() const {
@@ -113,7 +125,9 @@ class Prim : public bench::Bench<Vrt_prim> {
     Slot slots[SLOTS];
     struct sph_counters counters = {};
     long seen[4] = {}, met[CLASSES][2] = {}, passed = 0; /* passed: what is clear, by light */
-    unsigned pace = 100;                                 /* percent of clocks with a new test */
+    enum { ROOM = 12 }; /* tests: in so many phases there are so many at once */
+    int most = 0, phases_of_room = 0;
+    unsigned pace = 100; /* percent of clocks with a new test */
     uint32_t record[SPH_LINE_WORDS] = {};
     int at = 0, offered = 0;           /* slot and class of the test that is offered */
     bool burst = false, lucky = false; /* a hit is repeated; there is one */

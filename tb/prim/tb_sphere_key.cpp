@@ -75,6 +75,13 @@ Vector make(bench::Random &random) {
     int64_t exact = (int64_t)sph_isqrt((bench::u128)v.disc, &inexact); /* PR: keys below 1 too */
     int64_t key = (int64_t)random.log_bits(KW - 2) + 1;
     v.b = v.far ? key - exact - inexact : key + exact;
+    if (v.far && random.percent(20)) { /* a key of 0, of the root as it is cut, and beside it */
+        struct sph_leaf_result r = {};
+        uint64_t roots = 0;
+        r.hit = r.far = 1;
+        r.disc = v.disc;
+        v.b = random.between(-1, 1) - (int64_t)sph_leaf_key_bits(&r, PR, &roots);
+    }
     if (v.b > BMAX) v.b = BMAX;
     return v;
 }

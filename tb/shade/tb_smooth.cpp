@@ -163,6 +163,7 @@ class Run {
         struct sph_surface own = {};
         struct sph_ray ray = {};
         int kind = (int)b.random.below(16), room = (int)b.random.below(W);
+        bool far = b.random.percent(10); /* so far that the difference is limited */
         for (int i = 0; i < 3; i++)
             vector[i] = b.random.smixed(24) | (i == 0);
         sph_surface_turn(&profile, &ray, 0, vector, &own);
@@ -173,7 +174,7 @@ class Run {
         for (int i = 0; i < 3; i++) {
             int64_t from = b.random.smixed(W), limit = ((int64_t)1 << (GW - 1)) - 1;
             s.guarded[i] = from * (1 << NG) + b.random.between(-1, 1) * b.random.bits(room + NG);
-            if (!kind) s.guarded[i] = b.random.smixed(GW);
+            if (!kind || far) s.guarded[i] = b.random.smixed(GW);
             if (s.guarded[i] > limit) s.guarded[i] = limit;
             if (s.guarded[i] < -limit - 1) s.guarded[i] = -limit - 1;
             sph_field_set(s.record, SPH_SMOOTH_B_X_LSB + 24 * i, 24, (uint32_t)from);

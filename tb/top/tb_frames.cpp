@@ -9,10 +9,14 @@
  * While a frame is drawn the driver writes the next machine to the other half of memory, a beat a
  * clock, and its registers. Every frame is compared with what the golden model draws of that
  * machine alone.
+ *
+ * To an rt_top with BUILD it writes lines of records that moved, and has the tree built meanwhile;
+ * the machines are of tree `hw`, and what their frames count must be the same, too.
  */
 #include "top_checks.h"
 
 #include <cmath>
+#include <memory>
 extern "C" {
 #include "tests/number.h"
 }
@@ -65,6 +69,87 @@ static void pictures(Checks &c, const Golden &golden, const std::string &folder,
         write(LAYERS[layer], c.stores[newest] + layer * c.apart);
 }
 
+/* Machines whose trees rt_top builds: where in memory a frame's records lie, in turn. Lines:
+ *     0 tree | PRIM_BASE records, more | lines: tree | records | background, as in the file */
+class Moving {
+  public:
+    Moving(Checks &c, std::shared_ptr<Golden> first)
+        : c_(c), n_(reg(*first, SPH_REG_N_PRIMS)), prims_(reg(*first, SPH_REG_PRIM_BASE)),
+          lines_(first->machine.lines), all_(first), lies_{first, nullptr} {
+        const bool tables = reg(*first, SPH_REG_BG_MODE) >= 2; /* spans, cones */
+        ground_ = tables ? reg(*first, SPH_REG_BG_BASE) : lines_;
+        records_[0] = prims_, records_[1] = lines_ + prims_;
+        grounds_[0] = ground_, grounds_[1] = records_[1] + n_;
+    }
+    /* Loads the first machine, and builds its tree; its own is gone. */
+    void first(uint32_t base) {
+        base_ = HIGH_SCENE + base;
+        c_.equals("load", (uint64_t)c_.load(*all_, base), SPHAERA_OK);
+        for (uint32_t i = 0; i < 32 * prims_; i++)
+            c_.top.bytes[(base_ + i) % TopHost::MEMORY] = (uint8_t)c_.top.random.next();
+        registers(*all_, 0);
+        build();
+    }
+    /* Writes what is new of the machine of frame `number`; returns bytes. */
+    uint32_t move(std::shared_ptr<Golden> to, int number) {
+        const int at = number % 2;
+        uint32_t put = 0;
+        c_.note("a moving machine has the same size, textures and spheres",
+                to->machine.lines == lines_ && reg(*to, SPH_REG_N_PRIMS) == n_ &&
+                    reg(*to, SPH_REG_PRIM_BASE) == prims_ &&
+                    !memcmp(bytes(*to, prims_ + n_), bytes(*all_, prims_ + n_),
+                            32 * (ground_ - prims_ - n_)));
+        part(at, *to, prims_, n_, records_[at], &put);
+        part(at, *to, ground_, lines_ - ground_, grounds_[at], &put);
+        lies_[at] = to;
+        registers(*to, at);
+        return 32 * put;
+    }
+    /* The tree of what was written; clocks that it took. */
+    uint32_t build() {
+        c_.equals("build", (uint64_t)sphaera_build(&c_.top.driver, 0), SPHAERA_OK);
+        c_.equals("built", (uint64_t)sphaera_build_wait(&c_.top.driver, LIMIT), SPHAERA_OK);
+        return c_.top.read(SPHAERA_BUILD_CLOCKS);
+    }
+    /* Whether all of it is below that many bytes. */
+    bool fits(uint32_t room) const { return 32ull * all_lines() <= room; }
+
+  private:
+    static uint32_t reg(const Golden &of, int number) { return (uint32_t)of.machine.regs[number]; }
+    static const uint8_t *bytes(const Golden &of, uint32_t line) {
+        return (const uint8_t *)of.machine.mem + 32 * (size_t)line;
+    }
+    uint32_t all_lines() const { return grounds_[1] + lines_ - ground_; }
+    void part(int at, const Golden &to, uint32_t from, uint32_t count, uint32_t place,
+              uint32_t *put) {
+        const uint64_t address = base_ + 32 * (uint64_t)place;
+        if (lies_[at])
+            return sphaera_move(&c_.top.driver, bytes(*lies_[at], from), bytes(to, from), count,
+                                address, put);
+        c_.top.driver.bus.put(&c_.top, address, bytes(to, from), 32 * count);
+        *put += count;
+    }
+    void registers(const Golden &to, int at) {
+        for (uint32_t i = 0; i < SPHAERA_MACHINE_REGISTERS; i++) {
+            uint32_t value = reg(to, (int)i);
+            if (i == SPH_REG_PRIM_BASE) value = records_[at];
+            if (i == SPH_REG_BG_BASE && ground_ < lines_) value = grounds_[at];
+            if (i == SPH_REG_MEM_LINES) value = all_lines();
+            if (set_ && value == set_values_[i]) continue;
+            sphaera_set(&c_.top.driver, i, set_values_[i] = value);
+        }
+        set_ = true;
+        const struct sphaera_trees trees = {n_, records_[at], {0, lines_}, prims_};
+        c_.equals("trees", (uint64_t)sphaera_trees(&c_.top.driver, &trees), SPHAERA_OK);
+    }
+    Checks &c_;
+    uint32_t n_, prims_, lines_, ground_, records_[2], grounds_[2];
+    uint64_t base_ = 0;
+    std::shared_ptr<Golden> all_, lies_[2]; /* whose records lie there */
+    bool set_ = false;
+    uint32_t set_values_[SPHAERA_MACHINE_REGISTERS] = {};
+};
+
 int main(int argc, char **argv) {
     if (argc < 6) {
         fprintf(stderr, "usage: tb_frames LATENCY STALL SEED FOLDER MACHINE.sph...\n");
@@ -85,37 +170,56 @@ int main(int argc, char **argv) {
         fprintf(stderr, "%s: cannot write\n", folder.c_str());
         return 2;
     }
-    fprintf(table, "bytes\tupload\tdraw\twritten\tpixels_a_burst\n");
-    auto now = std::make_unique<Golden>(argv[first]);
+    fprintf(table, "bytes\tupload\tdraw\twritten\tpixels_a_burst\tmoved\tbuild\n");
+    auto now = std::make_shared<Golden>(argv[first]);
     bool fits = c->place(*now) && now->file.size() <= HALF[1];
+    std::unique_ptr<Moving> moving;
     uint64_t upload = t.cycle;
-    c->equals("load", (uint64_t)c->load(*now, HALF[0]), SPHAERA_OK);
+    uint32_t moved = 32 * now->machine.lines, build = 0;
+    if (c->builds()) {
+        moving = std::make_unique<Moving>(*c, now);
+        fits = fits && moving->fits(STORE);
+    }
+    if (fits && moving)
+        moving->first(HALF[0]);
+    else
+        c->equals("load", (uint64_t)c->load(*now, HALF[0]), SPHAERA_OK);
     upload = t.cycle - upload;
+    if (moving) upload -= build = t.read(SPHAERA_BUILD_CLOCKS);
     for (int i = first; fits && i < argc; i++) {
         t.scene.behave(manner);
         t.frame.behave(manner);
         sphaera_handle(&t.driver);
         t.irq_at = 0;
         uint64_t begin = t.cycle, next_upload = 0, n[SPHAERA_COUNTS];
+        uint32_t next_moved = 0, next_build = 0;
         c->equals("start", (uint64_t)sphaera_start(&t.driver, 0), SPHAERA_OK);
-        std::unique_ptr<Golden> next;
+        std::shared_ptr<Golden> next;
         if (i + 1 < argc) {
-            next = std::make_unique<Golden>(argv[i + 1]);
+            next = std::make_shared<Golden>(argv[i + 1]);
             fits = next->file.size() <= HALF[1];
             next_upload = t.cycle;
-            c->equals("load", (uint64_t)c->load(*next, HALF[(i + 1 - first) % 2]), SPHAERA_OK);
+            if (moving)
+                next_moved = moving->move(next, i + 1 - first);
+            else
+                c->equals("load", (uint64_t)c->load(*next, HALF[(i + 1 - first) % 2]), SPHAERA_OK);
             next_upload = t.cycle - next_upload;
+            if (moving) next_build = moving->build();
         }
         uint64_t end = c->finish_frame();
         c->equals("errors", sphaera_errors(&t.driver), 0);
         sphaera_counters(&t.driver, n);
         c->same(*now, c->newest(), Checks::depth(*now));
-        fprintf(table, "%u\t%llu\t%llu\t%llu\t%.2f\n", 32 * now->machine.lines,
+        for (int k = 0; moving && k < SPH_COUNTERS; k++)
+            if (sph_counter_both(k)) c->equals("a counter", n[k], now->counters.count[k]);
+        fprintf(table, "%u\t%llu\t%llu\t%llu\t%.2f\t", 32 * now->machine.lines,
                 (unsigned long long)upload, (unsigned long long)n[SPHAERA_COUNT_CYCLES],
                 (unsigned long long)(end - begin),
                 (double)n[SPHAERA_COUNT_WRITE_PIXELS] / (double)n[SPHAERA_COUNT_WRITE_BURSTS]);
+        if (moving) fprintf(table, "%u\t%u", moved, build);
+        fprintf(table, moving ? "\n" : "\t\n");
         pictures(*c, *now, folder, i - first);
-        upload = next_upload;
+        upload = next_upload, moved = next_moved, build = next_build;
         now = std::move(next);
     }
     c->note("the table is written", fclose(table) == 0);

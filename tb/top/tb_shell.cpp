@@ -9,7 +9,7 @@
 #define SCRIPTED
 #include "top/tb_top.cpp"
 
-#include "top/golden_core.h"
+#include "top/top_meet.h"
 
 namespace {
 

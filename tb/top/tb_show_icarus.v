@@ -1,10 +1,10 @@
 // tb_show_icarus.v - rt_top in Icarus: registers and memory in, symbols out, each picture compared
 // SPDX-License-Identifier: Apache-2.0
-// CORE_PARAMETERS, WIDTH, HEIGHT and LAYERS are macros; +machine, +memory, +frame are files that
+// CORE_PARAMETERS, WIDTH, HEIGHT, LAYERS and BUILD are macros; +machine, +memory, +frame are files that
 // lab/top/golden.py writes: registers, words of 64 bits, the golden model's pixels. A picture
 // is black as long as no frame is complete; three that follow must be the frame. With LAYERS MUX
-// then changes within a picture, and the next ones show its layer. Prints `ok` or `not ok` and ends
-// by itself.
+// then changes within a picture, and the next ones show its layer. With BUILD the machine is one of
+// tree `hw`, which loses its tree: rt_top builds it. Prints `ok` or `not ok` and ends by itself.
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
@@ -16,6 +16,9 @@
 `endif
 `ifndef LAYERS
 `define LAYERS 0
+`endif
+`ifndef BUILD
+`define BUILD 0
 `endif
 module tb_show_icarus;
     localparam AB = 12;                   // address bits of the memory: 32 KiB
@@ -69,7 +72,7 @@ module tb_show_icarus;
     reg  [31:0] wdata;
     wire        awready, wready, bvalid, irq;
     wire [9:0]  blue, green, red;
-    rt_top #(.DATA(64), .VIDEO(1), .LAYERS(`LAYERS), `CORE_PARAMETERS) u_top (
+    rt_top #(.DATA(64), .VIDEO(1), .LAYERS(`LAYERS), .BUILD(`BUILD), `CORE_PARAMETERS) u_top (
         .m_scene_arcache(), .m_scene_arprot(), .m_scene_arqos(), .m_frame_awid(),
         .m_frame_awcache(), .m_frame_awprot(), .m_frame_awqos(), .m_scan_arid(),
         .m_scan_arcache(), .m_scan_arprot(), .m_scan_arqos(), .active_o(),
@@ -156,7 +159,15 @@ module tb_show_icarus;
         put(`RT_TOP_VIDEO_V_SYNC, {V_BACK[15:0], V_SYNC[15:0]});
         put(`RT_TOP_VIDEO, 32'd1);
         on = 1'b1;
-        put(`RT_TOP_CONTROL, 32'd1);
+        if (`BUILD != 0) begin
+            for (n = 0; n < 4 * machine[`RT_REG_PRIM_BASE]; n = n + 1) memory[n] = 64'd0;
+            put(`RT_TOP_BUILD_COUNT, machine[`RT_REG_N_PRIMS]);
+            put(`RT_TOP_BUILD_RECORDS, machine[`RT_REG_PRIM_BASE]);
+            put(`RT_TOP_BUILD_LINES, machine[`RT_REG_PRIM_BASE]);
+            put(`RT_TOP_BUILD_MODE, 32'd1 << `RT_TOP_BUILD_MODE_ROOT);
+        end
+        put(`RT_TOP_CONTROL, 32'd1 << `RT_TOP_CONTROL_START |
+                             (`BUILD != 0 ? 32'd1 << `RT_TOP_CONTROL_BUILD : 32'd0));
         for (n = 0; n < 200000 && whole < 3 && wrong == 0; n = n + 1) @(posedge clk);
         while (`LAYERS != 0 && mux < 3 && whole >= 3 && wrong == 0) begin
             for (n = 0; n < 20000 && at < N / 3; n = n + 1) @(posedge clk); // within a picture

@@ -3,6 +3,7 @@
  *
  * usage: tb_top A.sph B.sph [seed]        two machines of the core's profile, not of one picture
  */
+#include "top_builds.h"
 #include "top_display.h"
 #include "top_faults.h"
 extern "C" {
@@ -11,37 +12,23 @@ extern "C" {
 
 #ifdef SCRIPTED
 static void scripted(Checks &c, const Golden &any);
+namespace {
+void environment(Checks &c, const Golden &a, const Golden &b);
+}
 #endif
 
 /* Every bit of every setting, each by itself; a reset gives all what they had. */
 static void settings(Checks &c) {
-    static const struct {
-        uint32_t at, kept;
-    } all[] = {{SPHAERA_INTERRUPT_ENABLE, 0xf},
-               {SPHAERA_WATCHDOG, 0xffffffff},
-               {0x040, 0xfffff000},
-               {0x044, 0xffffffc0},
-               {0x048, 0xffffffc0},
-               {0x04c, 0xffffffc0},
-               {0x050, 0xffe0},
-               {0x054, 1},
-               {0x058, 3},
-               {0x05c, 1},
-               {0x060, 0xf},
-               {0x064, 0x1fff1fff},
-               {0x068, 0x1fff1fff},
-               {0x06c, 0x1fff1fff},
-               {0x070, 0x1fff1fff},
-               /* the last ones are there by parameters */
-               {ADDR > 32 ? 0x078u : 0x074u, ADDR > 32 ? 0xffffffff : 0xffffffc0},
-               {0x074, 0xffffffc0}};
     TopHost &t = c.top;
-    const size_t count = std::size(all) - (ADDR > 32 ? !c.layers : 1 + !c.layers);
-    uint32_t first[std::size(all)], copy[std::size(all)];
+    std::vector<Setting> all;
+    for (const auto &[at, setting] : settings_of())
+        all.push_back(setting);
+    const size_t count = all.size();
+    std::vector<uint32_t> copy(count);
     t.stall = 40;
     t.reset();
     for (size_t i = 0; i < count; i++)
-        first[i] = copy[i] = t.read(all[i].at);
+        c.equals("setting behind a reset", t.read(all[i].at), copy[i] = all[i].reset);
     for (int n = 0; n < 200; n++) {
         const size_t at = (size_t)t.random.below((uint32_t)count);
         const uint32_t value = (uint32_t)t.random.next();
@@ -56,7 +43,7 @@ static void settings(Checks &c) {
     }
     t.reset();
     for (size_t i = 0; i < count; i++)
-        c.equals("setting after a reset", t.read(all[i].at), first[i]);
+        c.equals("setting after a reset", t.read(all[i].at), all[i].reset);
     t.stall = 0;
     c.done("settings: each bit, strobes, reset");
 }
@@ -69,10 +56,11 @@ static void fixed(Checks &c, const Golden &a) {
         {SPHAERA_VERSION, SPHAERA_VERSION_RESET},
         {SPHAERA_CORE_PROFILE, (uint32_t)a.machine.regs[SPH_REG_PROFILE]},
         {SPHAERA_CORE_EFFECTS, t.driver.effects},
-        {SPHAERA_CORE_PARTS, t.driver.parts},
+        {SPHAERA_CORE_PARTS, View::built(SPHAERA_CORE_PARTS)},
         {SPHAERA_CORE_BUS, DATA | SPHAERA_CORE_BUS_VIDEO |
                                (c.layers ? SPHAERA_CORE_BUS_LAYERS : 0) |
-                               (uint32_t)ADDR << SPHAERA_CORE_BUS_ADDR_LSB},
+                               (uint32_t)ADDR << SPHAERA_CORE_BUS_ADDR_LSB |
+                               (t.driver.built & SPHAERA_CORE_BUS_BUILD)},
         {SPHAERA_CONTROL, 0},
         {SPHAERA_STATUS, SPHAERA_STATUS_BLANK},
         {SPHAERA_FRAME_COUNT, 0},
@@ -123,10 +111,12 @@ static void registers(Checks &c, const Golden &a) {
     c.equals("low bits of an address", t.read(SPHAERA_FRAME1), SPHAERA_FRAME1_PLACE);
     c.store(c.stride, c.rgb565);
     const uint32_t behind = SPHAERA_MACHINE + 4 * SPHAERA_MACHINE_REGISTERS;
-    for (uint32_t offset :
-         {0x18u, 0x1cu, 0x3cu, 0x74u, 0x78u, 0x7cu, behind, 0x3fcu, 0x548u, 0xffcu}) {
+    for (uint32_t offset : {0x18u, 0x1cu, 0x3cu, 0x74u, 0x78u, 0x7cu, 0x80u, 0x94u, 0x98u, 0x9cu,
+                            0xa0u, behind, 0x3fcu, 0x548u, 0xffcu}) {
         if (offset == SPHAERA_LAYER_BYTES && c.layers) continue;
         if (offset == SPHAERA_ADDRESS_HIGH && ADDR > 32) continue;
+        if (offset >= SPHAERA_BUILD_COUNT && offset <= SPHAERA_BUILD_WRITTEN && c.builds())
+            continue;
         c.equals("no register reads 0", t.read(offset), 0);
         c.equals("and answers SLVERR", (uint64_t)t.response, SLVERR);
         t.write(offset, 0xffffffff);
@@ -301,9 +291,8 @@ static void store(Checks &c, const Golden &a) {
         unsigned newest = c.newest();
         if (i % 2) { /* by the port: then TAKE would show the same again */
             t.clocks(4);
-            t.dut.take_i = 1;
+            t.take_in = 1;
             t.clock();
-            t.dut.take_i = 0;
             shown = (t.read(SPHAERA_STATUS) & SPHAERA_STATUS_SHOWN) >> SPHAERA_STATUS_SHOWN_LSB;
         } else {
             c.equals("take", (uint64_t)sphaera_take(&t.driver, &shown), SPHAERA_OK);
@@ -386,10 +375,17 @@ int main(int argc, char **argv) {
     answers(*c, a, b);
     resets(*c, a, b);
     silence(*c, a, b);
+    if (c->builds()) {
+        built_words(*c, a);
+        built_frames(*c, a);
+        built_resets(*c, a);
+        built_silence(*c, a);
+    }
     if (c->top.driver.built & SPHAERA_CORE_BUS_VIDEO) display(*c, a, b);
     if (c->layers && c->top.driver.built & SPHAERA_CORE_BUS_VIDEO) display_layers(*c, a);
 #ifdef SCRIPTED
     scripted(*c, b);
+    environment(*c, a, b);
 #endif
     return c->finish();
 }

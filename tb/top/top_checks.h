@@ -5,6 +5,7 @@
 #define TB_TOP_CHECKS_H
 
 #include <memory>
+#include <set>
 
 #include "top_host.h"
 
@@ -66,6 +67,7 @@ const uint32_t LIMIT = 100000000; /* clocks of the longest frame */
 class Checks {
   public:
     TopHost top;
+    std::set<std::string> names; /* of the checks that came to their end */
     uint64_t stores[3] = {HIGH[0] + STORE, HIGH[1] + STORE + APART, HIGH[2] + STORE + 2 * APART};
     uint32_t stride = 2560;
     int rgb565 = 0;
@@ -86,6 +88,7 @@ class Checks {
         equals("layers", (uint64_t)sphaera_layers(&top.driver, apart),
                layers ? SPHAERA_OK : SPHAERA_NO_LAYERS);
     }
+    bool builds() const { return top.driver.built & SPHAERA_CORE_BUS_BUILD; }
     void choose(unsigned frame) {
         mux = frame;
         sphaera_mux(&top.driver, frame);
@@ -202,9 +205,12 @@ class Checks {
                 printf("# %s\n", side->broken.c_str());
                 good_ = false;
             }
+        if (!top.view.broken.empty()) printf("# %s\n", top.view.broken.c_str());
+        note("the host's view", top.view.broken.empty());
         note("a register did not answer", !top.hangs);
         printf("%s %d - %s, seed %llu: %ld conditions\n", good_ ? "ok" : "not ok", ++number_, name,
                (unsigned long long)seed_, conditions_);
+        names.insert(name);
         failed_ += !good_;
         fflush(stdout);
         if (failed_ && getenv("BENCH_FIRST")) exit(1); /* the first one is enough */

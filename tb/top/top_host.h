@@ -14,6 +14,7 @@
 #include <functional>
 
 #include "axi_memory.h"
+#include "top_view.h"
 
 extern "C" {
 #include "../../driver/sphaera.h"
@@ -28,12 +29,14 @@ class TopHost {
     ReadSide scene, scan;
     WriteSide frame;
     struct sphaera driver;
+    View view;
     uint64_t cycle = 0;
     uint64_t stood = 0;  /* clocks in which active_o was low and clk stood still */
     uint64_t irq_at = 0; /* the first clock with an interrupt since this was set to 0 */
     uint64_t scene_silent = 0, frame_silent = 0, scan_silent = 0; /* in that clock */
-    unsigned stall = 0; /* percent, of the registers' bus */
-    int response = 0;   /* of the last access to a register */
+    unsigned take_in = 0; /* clocks until take_i is high for one, 0: never */
+    unsigned stall = 0;   /* percent, of the registers' bus */
+    int response = 0;     /* of the last access to a register */
     bool hangs = false;
 
     explicit TopHost(uint64_t seed)
@@ -45,6 +48,7 @@ class TopHost {
     ~TopHost() { dut.final(); }
 
     void clock() {
+        if (take_in && --take_in == 0) dut.take_i = 1;
         scene.offer(READ_PORTS(dut, m_scene, dut.m_scene_arid, dut.m_scene_rid));
         scan.offer(READ_PORTS(dut, m_scan, no_id_, no_id_));
         no_id_ = 0;
@@ -66,11 +70,14 @@ class TopHost {
                  dut.s_axil_bresp,
                  dut.s_axil_rresp};
         if (dut.active_o || random.percent(50)) {
+            view.look(dut, cycle);
             dut.clk = 1;
             dut.eval();
+            view.edge();
         } else {
             stood++;
         }
+        dut.take_i = 0;
         cycle++;
         if (!dut.irq_o || irq_at) return;
         irq_at = cycle;
@@ -170,7 +177,6 @@ class TopHost {
     void idle() {
         dut.s_axil_awvalid = dut.s_axil_wvalid = dut.s_axil_arvalid = 0;
         dut.s_axil_bready = dut.s_axil_rready = 0;
-        dut.take_i = 0;
     }
 };
 

@@ -3,8 +3,9 @@
  *
  * The cases of tests/hard come first, the plane as both. A vector is an axis of a ray, as
  * sph_bih_setup() makes it, and two planes. First all ends of origin, direction and planes, and
- * planes one unit around the origin; then random ones, most of them near. Beside the model's
- * answer: no bound is on the wrong side of the exact a*v/|dir|.
+ * planes one unit around the origin; then random ones, most of them near, some at the longest
+ * distance that is a bound. Beside the model's answer: no bound is on the wrong side of the exact
+ * a*v/|dir|.
  */
 #include <deque>
 #include "Vrt_bih_step.h"
@@ -48,13 +49,9 @@ class Source {
             named(v, first[at++]);
         else if (left > 0)
             ends(v, (unsigned)--left);
-        else
+        else if (random.percent(95) || !longest(v))
             any(v);
-        v.ray.kind = SPH_PRIMARY;
-        v.ray.a = 0;
-        for (int64_t d : v.ray.dir)
-            v.ray.a += (uint64_t)(d * d);
-        sph_bih_setup(&profile, &v.ray, &v.bih);
+        set_up(v);
         return v;
     }
 
@@ -70,6 +67,33 @@ class Source {
         v.ray = c.c.ray;
         v.axis = c.c.clip.axis;
         v.clip[0] = v.clip[1] = c.c.clip.at;
+    }
+
+    static void set_up(Vector &v) {
+        v.ray.kind = SPH_PRIMARY;
+        v.ray.a = 0;
+        for (int64_t d : v.ray.dir)
+            v.ray.a += (uint64_t)(d * d);
+        sph_bih_setup(&profile, &v.ray, &v.bih);
+    }
+    /* Planes at the longest distance whose bound is one, and a unit beside it; 0: none found. */
+    bool longest(Vector &v) {
+        for (int tries = 0; tries < 64; tries++) {
+            any(v);
+            set_up(v);
+            const sph_bih_axis &x = v.bih.axis[v.axis];
+            if (x.zero || x.shift < 0 || x.shift > 30) continue;
+            const uint64_t g = x.mant + 2ull, ones = SPH_BIH_NO_BOUND;
+            const int64_t up = (int64_t)(((ones << x.shift) + g - 1) / g);
+            if ((uint64_t)up * g >> x.shift != ones) continue;
+            const int64_t far = up << v.bih.v_shift, o = v.ray.org[v.axis];
+            const int64_t at = x.negative ? o - far : o + far;
+            if (at > C_MAX - 1 || at < -C_MAX) continue;
+            v.clip[0] = v.clip[1] = at;
+            v.clip[random.below(2)] += random.between(-1, 1);
+            return true;
+        }
+        return false;
     }
 
     static int64_t end(unsigned n, int64_t most) {

@@ -1,8 +1,8 @@
 /* tb_box.cpp - rt_box against sph_box_meets()
  * SPDX-License-Identifier: Apache-2.0
  *
- * A vector is a ray in a frame, of frame_rays.h, and the planes of a child, of any size. The limit
- * is far away or near the depth at which the ray enters.
+ * A vector is a ray in a frame, of frame_rays.h, and the planes of a child, of any size, some of
+ * which it leaves where it enters. The limit is far away or near the depth at which the ray enters.
  */
 #include <deque>
 #include "Vrt_box.h"
@@ -22,6 +22,22 @@ struct Vector {
     int32_t near = 0, limit = 0;
 };
 
+/* Moves the axis by which the ray enters last, so that it leaves where it enters, or beside that.
+ */
+void touch(bench::Random &random, Vector &v) {
+    int64_t first = 0, last = SPH_BOX_BEYOND;
+    sph_box_axis *at = nullptr;
+    for (int i = 0; i < 3; i++) {
+        sph_box_axis &x = v.frame.axes[i];
+        const int lo = v.planes.lo[i], hi = v.planes.hi[i], end = SPH_BOX_CODES - 1;
+        const int64_t enter = x.enter + ((x.back ? end - hi : lo) * x.step >> x.fine);
+        const int64_t leave = x.leave + ((x.back ? end - lo : hi) * (x.step + 2) >> x.fine);
+        if (!x.flat && enter > first) first = enter, at = &x;
+        if (!x.open && leave < last) last = leave;
+    }
+    if (at && last > 0) at->enter += (int32_t)(last - first + random.between(-1, 1));
+}
+
 Vector make(bench::Random &random) {
     Vector v;
     v.frame = frames::make(random, profile);
@@ -32,6 +48,7 @@ Vector make(bench::Random &random) {
         v.planes.hi[i] =
             (uint8_t)std::min<int64_t>(at + (int64_t)random.log_bits(size), SPH_BOX_CODES - 1);
     }
+    if (random.percent(20)) touch(random, v);
     v.in = sph_box_meets(v.frame.axes, &v.frame.ray, &v.planes, FAR, &v.near);
     v.limit = random.percent(40) ? FAR : (int32_t)random.log_bits(15);
     if (random.percent(40)) v.limit = std::clamp(v.near + (int32_t)random.between(-1, 1), 0, FAR);

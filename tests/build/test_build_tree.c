@@ -3,14 +3,8 @@
  *
  * build/test/test_build_tree [seed]
  */
-#include <stdarg.h>
-#include <stddef.h>
-#include <setjmp.h>
-#include <cmocka.h>
-#include <stdlib.h>
-#include <string.h>
-
 #include "drawn_spheres.h"
+#include "model_scene.h"
 
 enum { MOST = 700 };
 static uint64_t state;
@@ -28,7 +22,7 @@ static uint64_t next(void *of) {
 static void draw(enum drawn_kind kind, uint32_t n, const struct sph_profile *p,
                  struct sph_bt_job *job) {
     drawn_spheres(kind, leaves, n, p, next, NULL);
-    *job = (struct sph_bt_job){n, 3, n + 5, (uint32_t)sph_bt_lines(n)};
+    *job = (struct sph_bt_job){n, 3, n + 5, (uint32_t)sph_bt_lines(n), SPH_BUILD_CURVE, NULL};
     for (size_t i = 0; i < sizeof memory / 4; i++)
         memory[i] = (uint32_t)next(NULL);
     for (uint32_t id = 0; id < n; id++)
@@ -46,7 +40,7 @@ static struct {
     const struct sph_profile *p;
     const struct sph_bt_job *job;
     uint32_t end; /* line behind all that was written */
-    uint8_t used[4 * MOST], found[MOST];
+    uint8_t used[4 * MOST], node[4 * MOST], found[MOST];
 } walk;
 
 /* Every sphere below a line lies in all spheres above it, in exact integers; deepest level. */
@@ -72,6 +66,7 @@ static int check_below(uint32_t line, struct above *up) {
         uint32_t to = i < inner ? base + i : base + inner + (i - inner) / 2;
         assert_true(to < walk.end && (i < inner || (i - inner) % 2 || !walk.used[to]));
         walk.used[to] = 1;
+        walk.node[to] = i < inner;
         if (i < inner) {
             int level = check_below(to, up);
             if (level > deepest) deepest = level;
@@ -141,7 +136,7 @@ static void test_order(void **unused) {
         uint8_t seen[MOST] = {0};
         int32_t lo[3] = {INT32_MAX, INT32_MAX, INT32_MAX}, most = 0;
         drawn_spheres((enum drawn_kind)kind, leaves, MOST, p, next, NULL);
-        sph_bt_order(leaves, MOST, order, spare);
+        sph_bt_order(leaves, MOST, SPH_BUILD_CURVE, p, order, spare);
         for (int i = 0; i < MOST; i++)
             for (int k = 0; k < 3; k++)
                 if (leaves[i].ctr[k] < lo[k]) lo[k] = leaves[i].ctr[k];
@@ -196,7 +191,7 @@ static void test_chain(void **unused) {
         uint32_t order[N], start[N + 1], n = N, number[N]; /* clusters: first places, pairs */
         uint64_t spare[2 * N];
         drawn_spheres(run % 2 ? DRAWN_EVEN : DRAWN_EQUAL, leaves, N, p, next, NULL);
-        sph_bt_order(leaves, N, order, spare);
+        sph_bt_order(leaves, N, SPH_BUILD_CURVE, p, order, spare);
         uint32_t root = sph_bt_chain(leaves, order, N, pairs);
         for (uint32_t i = 0; i <= N; i++)
             start[i] = i;
@@ -260,13 +255,95 @@ static void test_errors(void **unused) {
     }
 }
 
+/* A machine built with the paper's tree: its nodes and leaf records are those of rt_build. */
+static void test_paper(void **unused) {
+    (void)unused;
+    static const struct {
+        const char *scene;
+        int profile;
+    } cases[] = {
+        {"empty", SPH_STANDARD},      /* a root without children */
+        {"one_sphere", SPH_STANDARD}, /* one level */
+        {"paper5", SPH_DRAFT},        /* a node of one child */
+        {"sphereflake2", SPH_FINE},   /* many of one z */
+        {"paper100", SPH_STANDARD},   /* four levels */
+        {"paper100", SPH_DRAFT},      /* filter units are grid units */
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct sph_scene scene = model_scene(cases[i].scene);
+        struct sph_build_options o = SPH_BUILD_DEFAULT;
+        struct sph_build_report report;
+        struct sph_machine m;
+        struct sph_error err = {{0}};
+        uint32_t written;
+        o.tree = SPH_TREE_PAPER, o.profile = cases[i].profile;
+        if (sph_build(&scene, &o, &m, &report, &err)) fail_msg("%s", err.text);
+        uint32_t lines = (uint32_t)m.regs[SPH_REG_PRIM_BASE], n = (uint32_t)m.regs[SPH_REG_N_PRIMS];
+        size_t words = (size_t)lines * SPH_LINE_WORDS;
+        uint32_t *built = malloc(words * sizeof *built);
+        struct sph_bt_job job = {n, lines, 0, UINT32_MAX, SPH_BUILD_PAPER, NULL};
+        assert_non_null(built);
+        memcpy(built, m.mem, words * sizeof *built);
+        memset(m.mem, 0xff, words * sizeof *built);
+        assert_int_equal(
+            sph_bt_words(m.mem, &job, n, &sph_profiles[cases[i].profile], &written, &err), 0);
+        assert_int_equal(written, lines);
+        assert_memory_equal(m.mem, built, words * sizeof *built);
+        free(built);
+        sph_machine_free(&m);
+        sph_scene_free(&scene);
+    }
+}
+
+/* A refit of spheres that did not move is what it was; of others, nothing but spheres changes. */
+static void test_refit(void **unused) {
+    (void)unused;
+    for (int mode = SPH_BUILD_CURVE; mode <= SPH_BUILD_PAPER; mode++)
+        for (int kind = 0; kind < DRAWN_KINDS; kind++) {
+            enum { N = 77 };
+            const struct sph_profile *p = &sph_profiles[SPH_STANDARD];
+            struct sph_bt_kept kept = {0};
+            struct sph_bt_job job;
+            struct sph_error err;
+            uint32_t written, again;
+            static uint32_t built[sizeof memory / 4];
+            draw((enum drawn_kind)kind, N, p, &job);
+            job.mode = SPH_BUILD_REFIT, job.kept = &kept;
+            assert_int_equal(sph_bt_words(memory, &job, MOST, p, &written, &err), SPH_BT_MODE);
+            job.mode = mode;
+            assert_int_equal(sph_bt_words(memory, &job, MOST, p, &written, &err), 0);
+            memcpy(built, memory, sizeof memory);
+            job.mode = SPH_BUILD_REFIT;
+            assert_int_equal(sph_bt_words(memory, &job, MOST, p, &again, &err), 0);
+            assert_int_equal(written, again);
+            assert_memory_equal(built, memory, sizeof memory);
+
+            drawn_spheres(DRAWN_SMALL, leaves, N, p, next, NULL);
+            for (uint32_t id = 0; id < N; id++)
+                drawn_record(memory + (size_t)(job.prim_base + id) * SPH_LINE_WORDS, id,
+                             &leaves[id], 0);
+            memcpy(before, memory, sizeof memory);
+            assert_int_equal(sph_bt_words(memory, &job, MOST, p, &again, &err), 0);
+            assert_int_equal(written, again);
+            struct above up = {0};
+            memset(&walk, 0, sizeof walk);
+            walk.p = p, walk.job = &job, walk.end = job.root + written;
+            check_below(job.root, &up);
+            for (uint32_t line = job.root; line < walk.end; line++)
+                if (line == job.root || walk.node[line])
+                    assert_int_equal(memory[(size_t)line * SPH_LINE_WORDS + 7],
+                                     built[(size_t)line * SPH_LINE_WORDS + 7]);
+            job.n--; /* another number */
+            assert_int_equal(sph_bt_words(memory, &job, MOST, p, &again, &err), SPH_BT_MODE);
+            sph_bt_forget(&kept);
+        }
+}
+
 int main(int argc, char **argv) {
     state = test_number(argc > 1 ? argv[1] : NULL, "argument 1", 1);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_words),
-        cmocka_unit_test(test_order),
-        cmocka_unit_test(test_chain),
-        cmocka_unit_test(test_errors),
+        cmocka_unit_test(test_words),  cmocka_unit_test(test_order), cmocka_unit_test(test_chain),
+        cmocka_unit_test(test_errors), cmocka_unit_test(test_paper), cmocka_unit_test(test_refit),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -45,7 +45,8 @@ def declarations():
                    if p.name != "_declared.py")
     unused = {name for name in names if not re.search(rf"{name}\b", used)}
     # others do the same: with options, for all of a list
-    assert unused == {"sphaera_scene_read", "sphaera_render", "sphaera_frame_write",
+    assert unused == {"sphaera_scene_read", "sphaera_scene_parse", "sphaera_render",
+                      "sphaera_frame_write",
                       "sphaera_machine_register", "sphaera_machine_line"}, unused
     lines, expected = [], []
     structs = re.findall(r"^typedef struct \w+ \{.*?^\} (\w+);", HEADER, re.M | re.S)
@@ -167,10 +168,12 @@ def arrays():
     told = text.replace("plane 0 -2 0 0 1 0\n", "").replace(
         "s 1.5", f"texture {images[0]} 1 1\ns 1.5").replace(
             "p 3 -4 -1 -4 4 -1 -4 0 -1 5\n", f"tt {images[1]}\n{corners}")
-    drawn = [each.build(profile="fine").render() for each in (textured, sphaera.parse(told))]
+    drawn = [each.build(profile="fine").render()
+             for each in (textured, sphaera.parse(told, allow_paths=True))]
     assert drawn[0].hash == drawn[1].hash and drawn[0].counters["texels"] > 0
     textured.write("textured.nff")
-    assert sphaera.read("textured.nff").build(profile="fine").render().hash == drawn[0].hash
+    again = sphaera.read("textured.nff", allow_paths=True)
+    assert again.build(profile="fine").render().hash == drawn[0].hash
     make, nan = sphaera.scene_of, float("nan")
     for pattern, words in (
             (r"triangle_textures\[0\]: 2 is none of 2 textures", {
@@ -490,6 +493,11 @@ def strict():
             strict=True)
     refused(sphaera.Error, "^merged.nff:4: left out: .*grid",
             sphaera.read("merged.nff", strict=True).build)
+    Path("apart").mkdir()
+    Path("apart/away.nff").write_text(twice + "texture ../a.png 1 1\ns 1 0 0 1\n", encoding="utf-8")
+    refused(sphaera.Error, "^apart/away.nff:5: .*a.png is outside the folder", sphaera.read,
+            "apart/away.nff")
+    assert sphaera.read("apart/away.nff", allow_paths=True).spheres == 2
     said = subprocess.run([TOOL, "info", "twice.nff", "--json", "-"], check=True, text=True,
                           stdout=subprocess.PIPE).stdout
     ours = [{**r._asdict(), "line": r.line or None} for r in sphaera.read("twice.nff").records]

@@ -121,4 +121,13 @@ terminal() {
         [ "$(grep -o '  CC   [12] [a-z]*[.]c.' "$TMP/text" | grep -c "$cr")" = 2 ]
 }
 check "one line on a terminal" terminal
+
+echo "# the hosts' own files run .ci/run, on Debian 12, with what README has installed before"
+for file in .github/workflows/ci.yml .gitlab-ci.yml; do
+    hosted() {
+        grep -q '^ *- \(run: \)\?bash [.]ci/run$' "$file" && grep -q ' debian:12$' "$file" &&
+            grep -q 'apt-get install -y --no-install-recommends .*git make$' "$file"
+    }
+    check "$file" hosted
+done
 done_testing

@@ -28,7 +28,8 @@ l 3 4 5 0.5 0.5 0.5
 fm 0 0 0 0.8 0.8 0.8 0.2 0.2 0.2 0 0 0
 END
 printf 'm vertices 3 -2 -1 0 2 -1 0 0 1 0 texturecoords 3 %s 0 0 1 0 0.5 1\n' \
-    "$PWD/scenes/texture/tiles.png" >>"$TMP/small.aff"
+    tiles.png >>"$TMP/small.aff"
+cp scenes/texture/tiles.png "$TMP"
 echo 'triangles 1 0 1 2 0 1 2' >>"$TMP/small.aff"
 {
     "$s" render "$TMP/small.aff" --json "$data/robot-3.json"

@@ -18,18 +18,24 @@ static const uint32_t PROFILE = 0x1234567;
 struct block {
     uint32_t words[1024];
     int writes, puts;
+    uint32_t polls; /* reads of STATUS */
+    uint32_t after; /* STATUS behind a TAKE */
     uint64_t address;
     uint32_t count;
 };
 
 static uint32_t reads(void *user, uint32_t offset) {
-    return ((struct block *)user)->words[offset / 4];
+    struct block *b = user;
+    b->polls += offset == SPHAERA_STATUS;
+    return b->words[offset / 4];
 }
 
 static void writes(void *user, uint32_t offset, uint32_t value) {
     struct block *b = user;
     b->words[offset / 4] = value;
     b->writes++;
+    if (offset == SPHAERA_CONTROL && value & SPHAERA_CONTROL_TAKE)
+        b->words[SPHAERA_STATUS / 4] = b->after;
 }
 
 static void puts_(void *user, uint64_t address, const uint8_t *bytes, uint32_t count) {
@@ -274,6 +280,71 @@ static void store(void **state) {
     }
 }
 
+/* Looks once, and so many times more: 0 does not mean for ever. */
+static void late(void **state) {
+    (void)state;
+    for (uint32_t polls = 0; polls < 3; polls++) {
+        struct block b;
+        struct sphaera s;
+        opened(&s, &b, 0, 32);
+        b.words[SPHAERA_STATUS / 4] = SPHAERA_STATUS_BUSY | SPHAERA_STATUS_DRAINING;
+        b.polls = 0;
+        assert_int_equal(sphaera_wait(&s, polls), SPHAERA_LATE);
+        assert_int_equal(b.polls, polls + 1);
+        assert_int_equal(sphaera_reset(&s, 0, polls), SPHAERA_LATE);
+        assert_int_equal(b.polls, 2 * (polls + 1));
+    }
+}
+
+/* A frame that had errors failed; what is shown is so behind the take, not before it. */
+static void ends(void **state) {
+    (void)state;
+    struct block b;
+    struct sphaera s;
+    unsigned frame;
+    opened(&s, &b, 0, 32);
+    assert_int_equal(sphaera_wait(&s, 0), SPHAERA_OK);
+    b.words[SPHAERA_ERRORS / 4] = 1;
+    assert_int_equal(sphaera_wait(&s, 0), SPHAERA_FAILED);
+    b.after = SPHAERA_STATUS_VALID | 2u << SPHAERA_STATUS_SHOWN_LSB;
+    assert_int_equal(sphaera_take(&s, &frame), SPHAERA_OK);
+    assert_int_equal(frame, 2);
+    b.after = 0;
+    assert_int_equal(sphaera_take(&s, &frame), SPHAERA_BUSY);
+}
+
+/* Each field of a mode in its register, and each bit. */
+static void video(void **state) {
+    (void)state;
+    struct block b;
+    struct sphaera s;
+    opened(&s, &b, 0, 32);
+    for (int bits = 0; bits < 8; bits++) {
+        const struct sphaera_mode mode = {.h_active = 640,
+                                          .h_front = 16,
+                                          .h_sync = 96,
+                                          .h_back = 48,
+                                          .v_active = 480,
+                                          .v_front = 10,
+                                          .v_sync = 2,
+                                          .v_back = 33,
+                                          .h_pol = bits & 1,
+                                          .v_pol = bits >> 1 & 1,
+                                          .doubled = (uint8_t)(bits >> 2)};
+        sphaera_video(&s, &mode);
+        assert_int_equal(b.words[SPHAERA_VIDEO / 4], SPHAERA_VIDEO_ENABLE |
+                                                         (bits & 1 ? SPHAERA_VIDEO_H_POL : 0) |
+                                                         (bits & 2 ? SPHAERA_VIDEO_V_POL : 0) |
+                                                         (bits & 4 ? SPHAERA_VIDEO_DOUBLE : 0));
+        assert_int_equal(b.words[SPHAERA_VIDEO_H_ACTIVE / 4], 640 | 16 << 16);
+        assert_int_equal(b.words[SPHAERA_VIDEO_H_SYNC / 4], 96 | 48 << 16);
+        assert_int_equal(b.words[SPHAERA_VIDEO_V_ACTIVE / 4], 480 | 10 << 16);
+        assert_int_equal(b.words[SPHAERA_VIDEO_V_SYNC / 4], 2 | 33 << 16);
+    }
+    sphaera_video(&s, NULL);
+    assert_int_equal(b.words[SPHAERA_VIDEO / 4], 0);
+}
+
 /* Each result has words of its own. */
 static void words(void **state) {
     (void)state;
@@ -286,7 +357,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(versions), cmocka_unit_test(load),  cmocka_unit_test(load_end),
         cmocka_unit_test(files),    cmocka_unit_test(store), cmocka_unit_test(counters),
-        cmocka_unit_test(words),
+        cmocka_unit_test(words),    cmocka_unit_test(late),  cmocka_unit_test(ends),
+        cmocka_unit_test(video),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -49,6 +49,7 @@ static void test_null(void **unused) {
     REFUSED("path", sphaera_scene_read(NULL, 0, &s, &error));
     REFUSED("scene", sphaera_scene_read("s", 0, NULL, &error));
     REFUSED("text", sphaera_scene_parse(NULL, n, "s", 0, &s, &error));
+    REFUSED("text", sphaera_scene_parse_with(NULL, n, "s", NULL, &s, &error));
     REFUSED("scene", sphaera_scene_parse(text, n, "s", 0, NULL, &error));
     REFUSED("name", sphaera_scene_parse(text, n, NULL, 0, &s, &error));
     sphaera_price *price;

@@ -303,7 +303,7 @@ static void test_planes_and_textures(void **state) {
     char image[100];
     read_text(CAM MAT "plane 0 -1 0 0 2 0\ns 0 0 0 1\ntexture a.png 2 3 .25 .5\ns 1 0 0 1\n"
                       "plane 0 0 -9 0 0 1 1 1 0 texture \"a b.png\" .5 .5 clamp s 2 0 0 1\n"
-                      "texture /none/x.png 1 1 s 4 0 0 1\ntexture none\ns 3 0 0 1\n"
+                      "texture none/x.png 1 1 s 4 0 0 1\ntexture none\ns 3 0 0 1\n"
                       "tt a.png#c\n0 0 0 0 0\n1 0 0 1 0\n0 1 0 0 -1.5\n"
                       "tt \"none\" 0 0 0 0 0 1 0 0 1 0 0 0 1 0 1 plane 1 0 0 1 0 0\n"
                       "tt a.png 0 0 3 0 0 1 0 3 1 0 0 1 3 0 -1.5\n"
@@ -314,7 +314,8 @@ static void test_planes_and_textures(void **state) {
     assert_int_equal(s.n_textures, 7);
     snprintf(image, sizeof image, "%s/a.png", folder);
     assert_string_equal(s.textures[0].path, image);
-    assert_string_equal(s.textures[2].path, "/none/x.png");
+    snprintf(image, sizeof image, "%s/none/x.png", folder);
+    assert_string_equal(s.textures[2].path, image);
     snprintf(image, sizeof image, "%s/none", folder);
     assert_string_equal(s.textures[4].path, image);
     assert_true(s.textures[0].repeat[1] == 3 && s.textures[0].offset[0] == 0.25);

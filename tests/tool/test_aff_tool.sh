@@ -105,7 +105,7 @@ for folder in "a b" 'q"u'; do
 done
 written() ( # image.aff
     cd "$TMP" && rm -f written/* && "$s" import "$1" -o written/x.nff &&
-        "$s" build written/x.nff --size 8x5 -o written/m.sph
+        "$s" build --allow-paths written/x.nff --size 8x5 -o written/m.sph
 )
 check "an image in a folder with a blank, by a path from here" written "a b/image.aff"
 check "... by a whole path" written "$TMP/a b/image.aff"

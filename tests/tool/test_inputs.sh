@@ -30,10 +30,67 @@ for file in /dev/zero:"a device" pipe:"a pipe" folder:"a folder"; do
     refused "$says" import "$here/tests/fuzz/corpus/pdb/one.pdb" --elements "$path" -o x.nff
     refused "$says" compare "$path" "$path"
     textured "$path" >scene.nff
-    refused "scene.nff:[0-9]*: texture: $says" render scene.nff
+    refused "scene.nff:[0-9]*: texture: $says" render --allow-paths scene.nff
 done
 refused "pipe.sph: is a pipe" info pipe.sph
 refused "folder.sph: is a folder" render folder.sph
+
+# ---- files that a scene names: in its folder and below, links followed, or as allowed ----
+mkdir -p in/scene/sub in/TextureFiles apart
+printf 'secret 1\n' >apart/secret
+printf 'P3 1 1 255 9 9 9\n' | tee apart/p.ppm in/p.ppm in/TextureFiles/p.ppm \
+    in/scene/sub/p.ppm >in/scene/p.ppm
+ln -s ../../apart/p.ppm in/scene/link.ppm
+ln -s ../../apart in/scene/linked
+ln -s sub/p.ppm in/scene/near.ppm
+view='v from 0 0 9 at 0 0 0 up 0 1 0 angle 40 hither 1 resolution 8 5
+f 1 1 1 1 0 0 0 1'
+triangle='0 0 0 0 0 1 0 0 1 0 0 1 0 0 1'
+words() { # a scene of the format that names the file
+    case $1 in
+    nff) printf '%s\ntexture "%s" 1 1\ns 0 0 0 1\n' "$view" "$2" ;;
+    aff) printf '%s\ntt %s %s\n' "$view" "$2" "$triangle" ;;
+    include.aff) printf '%s\ni 0 %s\ns 0 0 0 1\n' "$view" "$2" ;;
+    obj | lib.obj)
+        [ "$1" = obj ] && library=m.mtl || library=$2
+        printf 'newmtl m\nmap_Kd %s\n' "$2" >in/scene/m.mtl
+        printf 'mtllib %s\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' "$library"
+        ;;
+    gltf | bin.gltf)
+        [ "$1" = gltf ] && list=images || list=buffers
+        printf '{"asset":{"version":"2.0"},"%s":[{"uri":"%s","byteLength":4}]}' "$list" "$2"
+        ;;
+    esac
+}
+reads() { # whether no message is of a folder; FORMAT, NAME, options
+    words "$1" "$2" >"in/scene/s.${1##*.}"
+    timeout 10 "$s" info ${3:-} "in/scene/s.${1##*.}" >text 2>&1
+    [ $? -lt 2 ] && ! grep -q 'outside the folder' text
+}
+stays() { # refused by the name that the scene has
+    ! reads "$1" "$2" && grep -q "s.*$2.* is outside the folder of the scene" text
+}
+for format in nff aff include.aff obj lib.obj gltf bin.gltf; do
+    for name in p.ppm sub/p.ppm ./sub/../p.ppm near.ppm none.ppm none/p.ppm \
+        "$TMP/in/scene/p.ppm"; do
+        case $format:$name in lib.obj:* | bin.gltf:* | include.aff:*) continue ;; esac
+        check "$format reads $name" reads "$format" "$name"
+    done
+    for name in ../p.ppm ../../apart/p.ppm ../scene2/p.ppm link.ppm linked/p.ppm \
+        "$TMP/apart/p.ppm" ../none.ppm; do
+        check "$format does not read $name" stays "$format" "$name"
+    done
+    check "... but if it is allowed" reads "$format" ../p.ppm --allow-paths
+done
+check "AFF reads TextureFiles beside its folder" reads aff ../TextureFiles/p.ppm
+check "... NFF does not" stays nff ../TextureFiles/p.ppm
+cp in/scene/p.ppm in/scene/sub/q.ppm
+check "what is included reads above itself" eval 'words aff ../p.ppm >in/scene/sub/inner.aff &&
+    sed 1,2d in/scene/sub/inner.aff >in/scene/sub/i.aff && reads include.aff sub/i.aff'
+check "... but not above the scene" eval 'sed "s|[.][.]/p|../../p|" in/scene/sub/i.aff \
+    >in/scene/sub/j.aff && ! reads include.aff sub/j.aff'
+check "a first word of another file is never told" eval '! reads include.aff ../../apart/secret &&
+    ! grep -q "secret.*1\|. secret." text'
 
 # ---- sizes ----
 truncate -s 100M large.png

@@ -61,13 +61,13 @@ def db(a, b):
 END
 # 64x36 is a part of 128x108, whose height has three times the tangent: of scenes with every kind
 # of primitive and effect; the part lies 9 pixels right of the middle, 12 above it.
+cp scenes/texture/*.png "$TMP"
 for scene in oblique paper5 facets/room refraction/water texture/hall; do
     file=scenes/$scene.nff
     angle=$(sed -n 's/.*angle \([0-9.]*\).*/\1/p' "$file" | head -1)
     wide=$(python3 -c "from math import *
 print(repr(2 * degrees(atan(3 * tan(radians($angle / 2))))))")
-    sed "s/angle [0-9.]*/angle $wide/; /^shift/d; s#[a-z]*[.]png#$PWD/scenes/texture/&#" \
-        "$file" >"$TMP/wide.nff"
+    sed "s/angle [0-9.]*/angle $wide/; /^shift/d" "$file" >"$TMP/wide.nff"
     draw "$file" --profile fine --size 64x36 --shift 0.25,0.3333333333333333 -o "$TMP/part.ppm" \
         --transfer linear
     "$s" reference "$TMP/wide.nff" --size 128x108 --transfer linear -o "$TMP/wide.ppm" >"$TMP/text"

@@ -113,6 +113,43 @@ static void bih_registers(void **state) {
     }
 }
 
+/* Bounds at the largest T-word; distances that lose bits, rounded to the side that is wider. */
+static void bounds_of_words(void **state) {
+    (void)state;
+    for (int shift = 0; shift <= 9; shift += 3) {
+        const struct sph_bih_ray b = {.t_shift = shift};
+        const uint64_t unit = 1ull << shift, none = SPH_BIH_NO_BOUND;
+        assert_int_equal(sph_bih_time(&b, none * unit - 1), none - 1);
+        assert_int_equal(sph_bih_time(&b, none * unit), none);
+        assert_int_equal(sph_bih_time(&b, (none + 1) * unit), none);
+        assert_int_equal(sph_bih_time(&b, none * unit * 4), none);
+    }
+    const struct sph_bih_ray b = {.axis = {{.mant = 1 << 17, .shift = 17}}, .v_shift = 2};
+    const struct sph_ray ray = {.dir = {1}};
+    for (int32_t v = 4; v <= 8; v++) { /* a T-word is 4 units */
+        struct sph_interval in = {0, SPH_BIH_NO_BOUND}, out = in;
+        assert_int_equal(sph_bih_cut(&b, &ray, 0, v, 0, &in), 1);
+        assert_int_equal(sph_bih_cut(&b, &ray, 0, v, 1, &out), 1);
+        assert_int_equal(in.lo, v / 4);
+        assert_int_equal(out.hi, (v + 3) / 4 + 1);
+    }
+}
+
+/* A frame that begins behind all T-words is not met. */
+static void frame_beyond(void **state) {
+    const struct sph_profile *p = &sph_profiles[SPH_STANDARD];
+    (void)state;
+    for (int32_t x = 10; x <= 20000; x += 19990) {
+        struct sph_ray ray = ray_to(SPH_PRIMARY, 1, 30000, 30000);
+        const struct sph_box_frame frame = {.org = {x, -1, -1}};
+        struct sph_bih_ray bih;
+        struct sph_box_axis axes[3];
+        sph_bih_setup(p, &ray, &bih);
+        sph_box_axes(p, &bih, &ray, &frame, axes);
+        assert_int_equal(axes[0].enter >= SPH_BOX_BEYOND, x > 10);
+    }
+}
+
 /* A node that fits its child cuts the ray on both sides: what it reaches behind is not visited. */
 static void fitting_nodes(void **state) {
     (void)state;
@@ -316,7 +353,8 @@ int main(void) {
         cmocka_unit_test(depths_of_boxes),     cmocka_unit_test(corners_of_boxes),
         cmocka_unit_test(order_of_children),   cmocka_unit_test(nodes_that_are_bad),
         cmocka_unit_test(filter_depth),        cmocka_unit_test(axis_of_a_ray),
-        cmocka_unit_test(depth_of_short_rays),
+        cmocka_unit_test(depth_of_short_rays), cmocka_unit_test(bounds_of_words),
+        cmocka_unit_test(frame_beyond),
     };
     return cmocka_run_group_tests_name("limits of a ray's way", tests, NULL, NULL);
 }

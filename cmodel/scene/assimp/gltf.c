@@ -119,13 +119,16 @@ static void decode(const char *uri, char *name, size_t size) {
     name[n] = 0;
 }
 
-/* Whether the file that an entry names is there: 1, its path; 0: it names none; -1: it is not. */
-static int file_of(const struct sph_gltf *g, const json_t *entry, char *path, size_t size) {
+/* The file that an entry names: its path, empty if it names none. NULL, or what is wrong with it.
+ */
+static const char *file_of(const struct sph_gltf *g, const struct sph_scene *scene,
+                           const json_t *entry, char *path, size_t size) {
     char name[512];
+    *path = 0;
     const char *uri = json_string_value(json_object_get(entry, "uri"));
-    if (!uri || !strncmp(uri, "data:", 5)) return 0;
+    if (!uri || !strncmp(uri, "data:", 5)) return NULL;
     decode(uri, name, sizeof name);
-    return sph_mesh_beside(g->path, name, path, size) ? -1 : 1;
+    return sph_mesh_beside(scene, g->path, name, path, size);
 }
 
 static int check_files(const struct sph_gltf *g, int skip, struct sph_scene *scene,
@@ -136,11 +139,11 @@ static int check_files(const struct sph_gltf *g, int skip, struct sph_scene *sce
         json_t *v;
         json_array_foreach(list(g, lists[k]), i, v) {
             char path[512];
-            if (file_of(g, v, path, sizeof path) >= 0) continue;
+            const char *wrong = file_of(g, scene, v, path, sizeof path);
+            if (!wrong) continue;
             if (!k || !skip)
-                return sph_fail(err, "%s: %s %zu: %.200s cannot be read", g->path,
-                                k ? "image" : "buffer", i,
-                                json_string_value(json_object_get(v, "uri")));
+                return sph_fail(err, "%s: %s %zu: %.200s %s", g->path, k ? "image" : "buffer", i,
+                                json_string_value(json_object_get(v, "uri")), wrong);
             if (note(g, scene, SPH_READ_MISSING, 1, err)) return -1;
         }
     }
@@ -214,15 +217,15 @@ static int take_image(const struct sph_gltf *g, const json_t *texture, struct sp
     const json_t *t = entry(g, "textures", json_object_get(texture, "index"));
     const json_t *image = entry(g, "images", json_object_get(t, "source"));
     const json_t *sampler = entry(g, "samplers", json_object_get(t, "sampler"));
-    int found = image ? file_of(g, image, look->image, sizeof look->image) : 0;
-    if (found < 0) look->image[0] = 0; /* it was noted, or refused */
-    if (!image || found < 0) return 0;
+    const char *wrong = image ? file_of(g, scene, image, look->image, sizeof look->image) : NULL;
+    if (wrong) look->image[0] = 0; /* it was noted, or refused */
+    if (!image || wrong) return 0;
     place(texture, look);
     if ((number(sampler, "wrapS", REPEATS) != REPEATS ||
          number(sampler, "wrapT", REPEATS) != REPEATS) &&
         note(g, scene, SPH_READ_WRAP, 1, err))
         return -1;
-    if (found) return note(g, scene, SPH_READ_PART, 1, err);
+    if (look->image[0]) return note(g, scene, SPH_READ_PART, 1, err);
     const json_t *view = entry(g, "bufferViews", json_object_get(image, "bufferView"));
     const json_t *buffer = entry(g, "buffers", json_object_get(view, "buffer"));
     double at = number(view, "byteOffset", 0), n = number(view, "byteLength", 0);

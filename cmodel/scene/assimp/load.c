@@ -85,7 +85,7 @@ static struct aiFile *open_file(struct aiFileIO *io, const char *name, const cha
     int whole = !strcmp(slash ? slash + 1 : name, fake_name(l->kind));
     if (whole)
         snprintf(path, sizeof path, "%s", l->path);
-    else if (sph_mesh_beside(name, slash ? slash + 1 : name, path, sizeof path))
+    else if (sph_mesh_beside(l->scene, name, slash ? slash + 1 : name, path, sizeof path))
         return NULL;
     FILE *file = strchr(mode, 'w')        ? NULL
                  : whole && l->lines.text ? fmemopen(l->lines.text, l->lines.size, "r")
@@ -176,7 +176,7 @@ static int look_of_mtl(struct load *l, const struct aiMaterial *m, struct sph_lo
         if (note(l, SPH_READ_PART_MEAN, 1, 0, err)) return -1;
     }
     if (aiGetMaterialString(m, "$tex.file", aiTextureType_DIFFUSE, 0, &image) == aiReturn_SUCCESS &&
-        sph_mesh_beside(l->path, image.data, look->image, sizeof look->image))
+        sph_mesh_beside(l->scene, l->path, image.data, look->image, sizeof look->image))
         look->image[0] = 0; /* it was noted, or refused */
     return 0;
 }

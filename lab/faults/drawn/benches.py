@@ -154,7 +154,9 @@ class Shell(Drawn):
             f.write(golden)
         driver = f"{self.folder}/driver.o"
         shell(["gcc", "-O2", "-c", "driver/sphaera.c", "-o", driver], f"{self.folder}/log")
-        return self.compiled(verilog, "tb/top/tb_shell.cpp", ["-DDATA=64"],
+        macros = [f"-DTOP_{name}={value}" for name, value in self.parameters]
+        return self.compiled(verilog, "tb/top/tb_shell.cpp",
+                            ["-DDATA=64", "-DTOP_LAYERS=0", "-DTOP_BUILD=0", "-DTOP_MEM_DATA=64", *macros],
                             [driver, *sorted(glob.glob(f"{self.build}/sim/obj/bench_*.o"))], [],
                             ["+1800-2017ext+sv", *(f"-I{n}" for n in sorted(glob.glob("rtl/*"))),
                              f"{self.folder}/rt_core.sv"])

@@ -37,7 +37,7 @@ def parents():
     for file in glob.glob("rtl/*/*.v"):
         with open(file, encoding="utf-8") as f:
             text = re.sub(r"//.*", "", f.read())
-        for name in set(re.findall(r"\brt_[a-z0-9_]+\b", text)) & names:
+        for name in set(re.findall(r"\brt_[a-z0-9_]+\b(?!\.vh)", text)) & names:
             found[name].add(os.path.basename(file)[:-2])
     return found
 

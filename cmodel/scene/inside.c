@@ -1,0 +1,54 @@
+/* inside.c - see inside.h
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "scene/inside.h"
+
+/* Cuts the last part of a path off, or what follows a '#': what is left is "", "/" or a path. */
+static void shorten(char *path) {
+    char *cut = path + strlen(path);
+    while (cut > path && *cut != '/' && *cut != '#')
+        cut--;
+    if (cut == path && *cut == '/' && cut[1]) cut++;
+    *cut = 0;
+}
+
+/* The part of a path that is there, without links; NULL if memory is short. */
+static char *real_part(const char *path) {
+    char *part = strdup(path), *real = NULL;
+    while (part && !real) {
+        real = realpath(*part ? part : ".", NULL);
+        if (!real && !*part) break;
+        if (!real) shorten(part);
+    }
+    free(part);
+    return real;
+}
+
+/* Whether a path without links is a folder, or lies in or below it. */
+static int below(const char *path, const char *folder, size_t length) {
+    return !strncmp(path, folder, length) &&
+           (!path[length] || path[length] == '/' || (length && folder[length - 1] == '/'));
+}
+
+int sph_scene_may_read(const struct sph_scene *scene, const char *path) {
+    static const char beside[] = "TextureFiles";
+    char folder[sizeof scene->path], images[PATH_MAX + sizeof beside];
+    if (scene->allow_paths) return 1;
+    const char *slash = strrchr(scene->path, '/');
+    snprintf(folder, sizeof folder, "%.*s", slash ? (int)(slash - scene->path) + 1 : 1,
+             slash ? scene->path : ".");
+    char *own = realpath(folder, NULL), *real = real_part(path);
+    int may = own && real && below(real, own, strlen(own));
+    if (own && real && !may && scene->aff) {
+        snprintf(images, sizeof images, "%.*s%s", (int)(strrchr(own, '/') - own) + 1, own, beside);
+        may = below(real, images, strlen(images));
+    }
+    free(own);
+    free(real);
+    return may;
+}
