@@ -36,7 +36,7 @@ static void put(void *user, uint64_t address, const uint8_t *from, uint32_t coun
 }
 
 /* A byte of linear light as people see it (IEC 61966-2-1). */
-static uint8_t seen(uint32_t byte) {
+static uint8_t coded(uint32_t byte) {
     double light = byte / 255.0;
     double code = light <= 0.0031308 ? 12.92 * light : 1.055 * pow(light, 1 / 2.4) - 0.055;
     return (uint8_t)lround(255 * code);
@@ -51,7 +51,7 @@ static bool picture(Checks &c, const sph_frame &size, uint64_t store, const std:
         for (int x = 0; x < size.width; x++) {
             const uint8_t *p = &c.top.bytes[(store + (uint32_t)y * c.stride) % TopHost::MEMORY];
             for (int channel = 2; channel >= 0; channel--)
-                fputc(seen(p[4 * x + channel]), to);
+                fputc(coded(p[4 * x + channel]), to);
         }
     return fclose(to) == 0;
 }
