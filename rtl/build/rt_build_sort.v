@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //   key, id --> bank 0 --> [digit: place of its next one] --> bank 1 --> .. --> bank 0
 // A radix sort, low digits first: each pass moves a word a clock from one bank to the other, turns
-// its key by a digit, and counts the next digit of what it moves. Places of a pass are sums of the counts of smaller
-// digits. n words take DIGITS * n + 64 * DIGITS clocks after their last one came in. What is read
-// first, place by place, is copied to bank 1, so that there are two readers afterwards.
+// its key by a digit, and counts the next digit of what it moves. Places of a pass are sums of the
+// counts of smaller digits. n words take DIGITS * n + 64 * DIGITS clocks after their last one came
+// in. What is read first, place by place, is copied to bank 1, so that there are two readers
+// afterwards.
 // Model: sph_bt_order() in cmodel/build/order.c
 `timescale 1ns / 1ps
 `default_nettype none

@@ -32,7 +32,7 @@ beside() { ! run tb_slot_ram rt_slot_ram "$set_all" && grep -q '^not ok' "$TMP/s
 check "words that are not written are noticed" beside
 
 builds() { # the bench of rt_build around its netlist
-    python3 - "$TMP/build" "${BUILD:-build}" <<'END' >"$TMP/bench" && "$(tail -n 1 "$TMP/bench")" 1 60
+    python3 - "$TMP/build" "${BUILD:-build}" <<'END' >"$TMP/bench" || return 1
 import sys
 from lab.benches import Line
 out, build = sys.argv[1:]
@@ -41,6 +41,7 @@ print(bench.around(f"{out}/tb", ["--language", "1364-2005", "-Wno-fatal", f"-I{o
                                  *(f"-G{n}={v}" for n, v in bench.parameters),
                                  f"{out}/rtl/cells.v", f"{out}/rtl/rt_build.v"]))
 END
+    "$(tail -n 1 "$TMP/bench")" 1 60
 }
 if [ -n "${ALL:-}" ]; then
     check "netlist of rt_build for ecp5" \
