@@ -1,8 +1,8 @@
 // f_build.v - proof of rt_build: what is read, what is written and when, errors
 // SPDX-License-Identifier: Apache-2.0
 // Its parts say anything, but for these: a node lies within the lines that it may take, as
-// s_build_groups.v proves of rt_build_groups, and its children come in their order, of a build only.
-// Records, memory and resets are any.
+// s_build_groups.v proves of rt_build_groups, and its children come in their order, and only while
+// nodes are made. Records, memory and resets are any.
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
@@ -85,7 +85,8 @@ module f_build #(
         if (\u_dut.done_valid ) begin
             assume (nodes && count != 0 && !\u_dut.whole );
             assume (\u_dut.heads && taken_q < children);
-            assume (\u_dut.done_kind == {taken_q >= \u_dut.head_inner , taken_q == children - 1'b1});
+            assume (\u_dut.done_kind ==
+                    {taken_q >= \u_dut.head_inner , taken_q == children - 1'b1});
         end
         if (\u_dut.heads ) begin
             assume (count != 0 && children != 0 && children <= 4 && \u_dut.head_inner <= 4);
