@@ -130,7 +130,8 @@ $(NO_MEMORY): tests/tool/no_memory.c $B/flags
 	@mkdir -p $(@D)
 	$(call make_whole,$(CC) $(CFLAGS) -shared -fPIC $(filter %.c,$^))
 tests/tool/test_faults.sh: | $(NO_MEMORY)
-faults: $(TOOL) $(NO_MEMORY) ## every command while disks are full, signals come, two run at once; 30 minutes
+faults: $(TOOL) $(NO_MEMORY)
+faults: ## every command while disks are full, signals come, two run at once; 30 minutes
 	$(Q)mkdir -p $B/test
 	$(Q)python3 tests/tool/faults.py $(TOOL) $B/test/faults | tee $B/test/faults.log
 	@! grep -q '^not ok\|^Bail' $B/test/faults.log

@@ -32,7 +32,8 @@ SUITES  += $(LONG) $(filter-out $(LONG),$(TEST_SH)) \
            $(TEST_RUN) $(TEST_RUN:%=%.sanitized) $(CLANG_RUN) $(TSAN_RUN) \
            $(if $(OIIO),$B/test/test_image)
 chosen   = $(if $(findstring $(ONLY),$(notdir $(1))),$(1))
-plain    = $(if $(findstring .,$(ONLY))$(ALL),$(SUITES),$(filter-out %.sanitized %.clang %.threads,$(SUITES)))
+plain    = $(if $(findstring .,$(ONLY))$(ALL),$(SUITES),\
+               $(filter-out %.sanitized %.clang %.threads,$(SUITES)))
 RUN      = $(if $(ONLY),$(foreach s,$(plain),$(call chosen,$s)),$(SUITES))
 
 test: ## every check; ends with `N passed, M failed`
@@ -98,7 +99,8 @@ FACED := library environment threads
 $(FACED:%=$B/test/test_%): $(call objects,obj/,$(FACE))
 $(FACED:%=$B/test/test_%.sanitized): $(call objects,asan/obj/,$(FACE))
 $B/test/test_threads.threads: $(call objects,tsan/obj/,$(FACE))
-$(foreach h,asan tsan,$B/$h/obj/cmodel/sphaera/version.o): override CFLAGS += -DSPHAERA_RELEASE='"$(VERSION)"'
+$(foreach h,asan tsan,$B/$h/obj/cmodel/sphaera/version.o): \
+    override CFLAGS += -DSPHAERA_RELEASE='"$(VERSION)"'
 
 -include $(TEST_RUN:%=%.d) $(TEST_RUN:%=%.sanitized.d) $(CLANG_RUN:%=%.d) \
          $(TSAN_RUN:%=%.d)
