@@ -270,33 +270,33 @@ def programs(kept, found, picked, build):
                 kept.add(record, name, verdict, time.monotonic() - began, suite)
 
 
-HEAD = ["faults", "noticed by the nearest", "by others", "equivalent", "left", "noticed, %",
-        "by the nearest, %"]
+HEAD = ["faults", "noticed by the nearest", "by others", "equivalent", "left", "not tried",
+        "noticed, %", "by the nearest, %"]
 
 
 def verdicts(kept, found, build):
-    """{record: (verdict, judge)}: nearest, others, equivalent, left, or not tried."""
+    """[(record, verdict, judge)]: nearest, others, equivalent, left, or not tried."""
     lines = {line.name: line.top for line in benches.benches.every(build, Selected)}
     tops, above = set(lines.values()), plan.parents()
-    told = {}
+    told = []
     for record in found:
         killed = [row[0] for row in kept.of(record) if row[1] not in ("survived", "broken")]
         if not killed:
-            told[record] = ("equivalent" if record.same else "left" if kept.of(record) else
-                            "not tried"), ""
+            told.append((record, "equivalent" if record.same else
+                         "left" if kept.of(record) else "not tried", ""))
             continue
         close = killed[0].startswith("near ")
         if record.edits[0].side == "rtl":
             names = near(module(record), tops, above)
             close = lines.get(killed[0]) in names if names else killed[0] not in lines
-        told[record] = "nearest" if close else "others", killed[0].removeprefix("near ")
+        told.append((record, "nearest" if close else "others", killed[0].removeprefix("near ")))
     return told
 
 
 def row(name, count):
     alive = count["nearest"] + count["others"] + count["left"]
     return [name, str(sum(count.values())), *(str(count[word]) for word in (
-        "nearest", "others", "equivalent", "left")), *(
+        "nearest", "others", "equivalent", "left", "not tried")), *(
             f"{100 * part / max(1, alive):.1f}" for part in (
                 count["nearest"] + count["others"], count["nearest"]))]
 
@@ -305,7 +305,7 @@ def tell(kept, found, build):
     """The tables of the page."""
     told = verdicts(kept, found, build)
     by = collections.defaultdict(collections.Counter)
-    for record, (verdict, _) in told.items():
+    for record, verdict, _ in told:
         edit = record.edits[0]
         folder = "/".join(edit.path.split("/")[:2]) if edit.side in ("rtl", "model") else edit.side
         by[folder][verdict] += 1
@@ -314,8 +314,8 @@ def tell(kept, found, build):
                      row("**all**", sum(by.values(), collections.Counter()))],
         "designed_faults": [["fault", "file", "verdict", "by"], *(
             [record.name, record.edits[0].path, verdict, judge or record.same or "-"]
-            for record, (verdict, judge) in told.items())]})
-    print(*(f"{record.name}: {verdict}" for record, (verdict, _) in told.items()
+            for record, verdict, judge in told)]})
+    print(*(f"{record.name}: {verdict}" for record, verdict, _ in told
             if verdict in ("left", "not tried") or record.same and verdict != "equivalent"),
           sep="\n")
 
