@@ -212,7 +212,8 @@ def main(tool, folder, page):
     runner = Runner(tool, folder)
     place(page, "make trees", {
         "work": lambda: work(runner, ALL, "leaf_tests", "leaves"),
-        "bound": lambda: bounded(runner), "hardware": lambda: hardware(runner), "moved": lambda: moved(runner),
+        "bound": lambda: bounded(runner), "hardware": lambda: hardware(runner),
+        "moved": lambda: moved(runner),
         "boxes": lambda: boxes(runner),
         "facets": lambda: work(runner, FACETS, "facet_tests", "facets"),
         "walk": lambda: walked(runner)})
