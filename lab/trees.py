@@ -150,7 +150,8 @@ def hardware(runner):
         n = primitives(primary)
         visits = {tree: each(d, "node_visits")[0] for tree, d in drawn.items()}
         rows.append([name, n, *(visits.get(tree, "-") for tree in BVH4),
-                     *(f"{float(visits[tree]) / float(visits['reinserted']):.2f}" for tree in BUILT),
+                     *(f"{float(visits[tree]) / float(visits['reinserted']):.2f}"
+                       for tree in BUILT),
                      each(primary, "node_visits")[0], f"{bound(ids(runner.path('frame')), n):.2f}"])
     return report.table(["scene", "spheres", *BVH4, *(f"{tree} / reinserted" for tree in BUILT),
                          "primary: hw1", "bound"], rows)
