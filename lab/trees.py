@@ -150,7 +150,8 @@ def hardware(runner):
         n = primitives(primary)
         visits = {tree: each(d, "node_visits")[0] for tree, d in drawn.items()}
         rows.append([name, n, *(visits.get(tree, "-") for tree in BVH4),
-                     *(f"{float(visits[tree]) / float(visits['reinserted']):.2f}" for tree in BUILT),
+                     *(f"{float(visits[tree]) / float(visits['reinserted']):.2f}"
+                       for tree in BUILT),
                      each(primary, "node_visits")[0], f"{bound(ids(runner.path('frame')), n):.2f}"])
     return report.table(["scene", "spheres", *BVH4, *(f"{tree} / reinserted" for tree in BUILT),
                          "primary: hw1", "bound"], rows)
@@ -212,7 +213,8 @@ def main(tool, folder, page):
     runner = Runner(tool, folder)
     place(page, "make trees", {
         "work": lambda: work(runner, ALL, "leaf_tests", "leaves"),
-        "bound": lambda: bounded(runner), "hardware": lambda: hardware(runner), "moved": lambda: moved(runner),
+        "bound": lambda: bounded(runner), "hardware": lambda: hardware(runner),
+        "moved": lambda: moved(runner),
         "boxes": lambda: boxes(runner),
         "facets": lambda: work(runner, FACETS, "facet_tests", "facets"),
         "walk": lambda: walked(runner)})

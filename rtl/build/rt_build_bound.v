@@ -94,8 +94,8 @@ module rt_build_bound #(
     assign {a_head, a_tail, a_run} = a1_q;
     assign a_here = a1_here_q;
 
-    // ---- 1: ends of a leaf, along the axes and four diagonals; 2: those of the run; 3: their sums;
-    // 4: 16 times the centre, half up to filter units, limited to those of the grid ----
+    // ---- 1: ends of a leaf, along the axes and four diagonals; 2: those of the run; 3: their
+    // sums; 4: 16 times the centre, half up to filter units, limited to those of the grid ----
     reg  [2:0]    ends_q;                    // of the leaf: it is there, the run's first, its last
     reg           boxed2_q, boxed3_q, boxed_q; // the run's
     reg  [2*AB:0] ends_run_q, run2_q, run3_q, boxed_run_q;
