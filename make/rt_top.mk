@@ -5,7 +5,7 @@
 B       ?= build
 # another source folder, with a name for what is built of it
 RTL     ?= rtl
-NAME    ?= $(PROFILE)-$(CORE)-$(DATA)$(if $(filter 1,$(LAYERS)),-layers)$(if $(TREES:0=),-trees$(TREES))
+NAME    ?= $(PROFILE)-$(CORE)-$(DATA)$(if $(filter 1,$(LAYERS)),-layers)$(of_trees)
 PROFILE ?= draft
 CORE    ?= all
 # bits of the scene's data; of frame store and display too, up to 128
@@ -13,6 +13,7 @@ DATA    ?= 64
 LAYERS  ?= 0
 # spheres that it builds trees of, 0: it builds none
 TREES   ?= 0
+of_trees = $(if $(TREES:0=),-trees$(TREES))
 # bits of an address: more with one of the widths
 ADDR    ?= $(if $(filter 128,$(DATA)),40,32)
 BENCH   ?= tb_top

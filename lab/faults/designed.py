@@ -25,7 +25,7 @@ from .. import intact
 from ..benches import Broken, folders, text_of
 from ..pages import place
 from . import records, selected, suites
-from .drawn import benches, binary, plan
+from .drawn import benches, binary, boards, plan
 
 LISTS = "tests/faults/designed/*.txt"
 PATIENCE, SLACK, LONGEST = 2.0, 3.0, 60     # a fault may take so many times the sound one, and more
@@ -68,12 +68,18 @@ class Whole(Selecting):
 
     def __init__(self, *words):
         super().__init__(*words)
-        self.folder = f"{self.build}/designed/{self.name.replace('/', '-')}"
+        was, self.folder = self.folder, f"{self.build}/designed/{self.name.replace('/', '-')}"
+        for words in (*self.runs, *self.parameters):
+            words[:] = [str(word).replace(was, self.folder) for word in words]
 
     def make(self, texts):
         self.here = self.edited(texts)
         os.makedirs(self.folder, exist_ok=True)
+        self.prepare()
         return super().make(None)
+
+    def prepare(self):
+        """What must be there before the RTL is read."""
 
     def compiled(self, verilog, harness, macros, objects, libraries, more=()):
         return self.compile(self.folder, [*self.verilate(self.here), *more], harness, macros,
@@ -87,9 +93,26 @@ class Core(Whole, benches.Core):
 
 
 class Top(Whole, benches.Shell):
+    seen = ("+define+TOP_VIEW", "-Iformal", "tb/top/rt_top_rules.sv")
+
+    def __init__(self, build, layers=0):
+        super().__init__(build)
+        self.parameters.append(f"LAYERS={layers}".split("="))
+        self.name += "-layers" * layers
+        self.folder += "-layers" * layers
+
     @staticmethod
     def source():
         return "tb/top/tb_shell.cpp"
+
+
+class Board(Whole, boards.RamBoard):
+    def prepare(self):
+        boards.RamBoard.prepare(self)
+
+    @staticmethod
+    def source():
+        return "tb/board/tb_ulx3s_ram.cpp"
 
 
 def digest(source):
@@ -192,9 +215,13 @@ def at_bench(kept, line, faults):
 
 
 def whole(name, build):
-    """What stands for the bench of a module that none above has one: its core, or rt_top."""
+    """What stands for the bench of a module that none above has one: core, rt_top, a board."""
     folder = glob.glob(f"rtl/*/{name}.v")[0].split("/")[1]
-    return Top(build) if folder in ("top", "bus", "video") else Core(benches.CORES[0], build)
+    if folder in ("top", "bus", "video"):
+        return [Top(build), Top(build, 1)]
+    if folder == "board":
+        return [Board(build)]
+    return [Core(benches.CORES[0], build)]
 
 
 def rtl(kept, found, build, others):
@@ -216,8 +243,8 @@ def rtl(kept, found, build, others):
     last = {}
     for names, faults in homes.items():
         for record in faults if others or not names else ():
-            at = whole(module(record), build)
-            last.setdefault(at.name, (at, []))[1].append(record)
+            for at in whole(module(record), build)[:MOST]:
+                last.setdefault(at.name, (at, []))[1].append(record)
     for at, faults in last.values():
         at_bench(kept, at, faults)
 

@@ -329,6 +329,32 @@ static void store(Checks &c, const Golden &a) {
     c.done("frame store: three frames, interrupts, counts");
 }
 
+/* What happens between the driver's read and its write that clears stays. */
+static void handles(Checks &c, const Golden &a) {
+    TopHost &t = c.top;
+    const struct sphaera_bus bus = t.driver.bus;
+    c.whole(a, SCENE_A);
+    sphaera_handle(&t.driver);
+    t.driver.bus.read = [](void *user, uint32_t offset) {
+        TopHost &host = *(TopHost *)user;
+        const uint32_t value = host.read(offset);
+        if (offset == SPHAERA_INTERRUPTS) host.take_in = 1;
+        if (offset == SPHAERA_INTERRUPTS) host.clock();
+        if (offset != SPHAERA_ERRORS) return value;
+        host.write(SPHAERA_CONTROL, SPHAERA_CONTROL_START); /* one of both is refused */
+        host.write(SPHAERA_CONTROL, SPHAERA_CONTROL_START);
+        return value;
+    };
+    c.equals("nothing yet", sphaera_handle(&t.driver), 0);
+    c.equals("no error yet", sphaera_errors(&t.driver), 0);
+    t.driver.bus = bus;
+    c.equals("SWAP stays", sphaera_handle(&t.driver) & SPHAERA_INTERRUPTS_SWAP,
+             SPHAERA_INTERRUPTS_SWAP);
+    c.equals("REFUSED stays", sphaera_errors(&t.driver), SPHAERA_ERRORS_REFUSED);
+    c.equals("draw", (uint64_t)sphaera_wait(&t.driver, POLLS), SPHAERA_OK);
+    c.done("what happens while the driver handles it stays");
+}
+
 /* Layers, without MUX: register FRAME of the frame that is shown chooses, not of the next one. */
 static void own_layers(Checks &c, const Golden &a) {
     TopHost &t = c.top;
@@ -371,6 +397,7 @@ int main(int argc, char **argv) {
     far(*c, a, b);
     busy(*c, a, b);
     store(*c, a);
+    handles(*c, a);
     if (c->layers) own_layers(*c, a);
     answers(*c, a, b);
     resets(*c, a, b);
