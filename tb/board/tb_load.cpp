@@ -115,7 +115,7 @@ struct Board {
         const uint32_t answer = ar ? read(dut.address_o & 0xfff) : 0;
         if (aw) {
             last_write = dut.address_o & 0xfff;
-            registers[last_write] = dut.data_o;
+            registers[last_write] = last_write == SPHAERA_ERRORS ? 0 : dut.data_o;
             if (last_write == SPHAERA_CONTROL && dut.data_o & SPHAERA_CONTROL_START) busy = 3;
         }
         if (mem) {
