@@ -40,7 +40,8 @@ module axi_read_rules #(
         request_q <= {arid, araddr, arlen};
     end
     `RULES if (!rst) begin
-        if (wait_q) `RULE(arvalid && {arid, araddr, arlen} == request_q, an address waits unchanged);
+        if (wait_q)
+            `RULE(arvalid && {arid, araddr, arlen} == request_q, an address waits unchanged);
         if (arvalid) begin
             `RULE(end_at <= 13'd4096, a burst stays within 4 KiB);
             `RULE((araddr[12:0] & (BYTES - 13'd1)) == 13'd0, a burst is aligned to its beats);
@@ -129,7 +130,8 @@ module axi_lite_rules (
     end
     `RULES if (!rst) begin
         if (b_wait_q) `RULE(bvalid && bresp == bresp_q, an answer to a write waits unchanged);
-        if (r_wait_q) `RULE(rvalid && {rresp, rdata} == read_q, an answer to a read waits unchanged);
+        if (r_wait_q)
+            `RULE(rvalid && {rresp, rdata} == read_q, an answer to a read waits unchanged);
         if (bvalid && !b_wait_q) `RULE(aw_q && w_q, an answer has an address and data);
         if (rvalid && !r_wait_q) `RULE(ar_q, an answer has an address);
         if (bvalid) `RULE(!bresp[0], OKAY or SLVERR);

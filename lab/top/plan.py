@@ -12,7 +12,8 @@ PLAN = "tb/top/top_plan.txt"
 
 def sentences(text):
     """{section: its sentences}, without tables, lists made by `make pages`, drawings, commands."""
-    text = re.sub(r"<!-- begin: (?!clock|frames).*?<!-- end -->|```.*?```", "\n\n", text, flags=re.S)
+    text = re.sub(r"<!-- begin: (?!clock|frames).*?<!-- end -->|```.*?```", "\n\n", text,
+                  flags=re.S)
     text = re.sub(r"<!--.*?-->", "", text)
     found, section = {}, ""
     for block in re.split(r"\n\s*\n|\n(?=(?:- |\d+\. |\|))", text):
@@ -58,7 +59,8 @@ def wrong():
         found = sentences(Path("docs", page).read_text(encoding="utf-8"))
         yield from (f"docs/{page}: the plan has no section {name!r}"
                     for name in found if name not in sections and found[name])
-        yield from (f"{PLAN}: docs/{page} has no section {name!r}" for name in sections - set(found))
+        yield from (f"{PLAN}: docs/{page} has no section {name!r}"
+                    for name in sections - set(found))
         for name in sections & set(found):
             lines = listed.get((page, name))
             if lines is None:

@@ -159,7 +159,8 @@ class Shell(Drawn):
         macros += ["-DDATA=64", "-DTOP_LAYERS=0", "-DTOP_BUILD=0", "-DTOP_MEM_DATA=64"]
         return self.compiled(verilog, "tb/top/tb_shell.cpp", macros,
                             [driver, *sorted(glob.glob(f"{self.build}/sim/obj/bench_*.o"))], [],
-                            ["+1800-2017ext+sv", *self.seen, *(f"-I{n}" for n in sorted(glob.glob("rtl/*"))),
+                            ["+1800-2017ext+sv", *self.seen,
+                             *(f"-I{n}" for n in sorted(glob.glob("rtl/*"))),
                              f"{self.folder}/rt_core.sv"])
 
     @staticmethod
