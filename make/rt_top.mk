@@ -57,7 +57,8 @@ $K/all.cpp: $(RTL_FILES) $(wildcard formal/axi_rules.vh tb/*/*_rules.sv) $K/flag
 	@sh sim/at_once.sh $K tb/top/$(BENCH).cpp >$@
 
 $K/top.o: $K/all.cpp $(PRECOMPILED)
-	$(COMPILE) $(PARAMETERS:%=-DTOP_%) -DDATA=$(FRAME_DATA) -DADDR=$(ADDR) -isystem $K -MD -MP -c $< -o $@
+	$(COMPILE) $(PARAMETERS:%=-DTOP_%) -DDATA=$(FRAME_DATA) -DADDR=$(ADDR) -isystem $K -MD -MP -c \
+		$< -o $@
 
 # As for a board: no library, no warnings.
 $(DRIVER): $(wildcard driver/*)
