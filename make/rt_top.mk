@@ -51,7 +51,8 @@ $K/rt_core.sv: rtl/core/rt_core.v tb/top/golden_core.svh
 	@mkdir -p $K
 	sed '/^);/q' $< | cat - tb/top/golden_core.svh >$@
 
-$K/all.cpp: $(RTL_FILES) $(wildcard formal/axi_rules.vh tb/*/*_rules.sv) $K/flags $(if $(filter tb_shell,$(BENCH)),$K/rt_core.sv)
+$K/all.cpp: $(RTL_FILES) $(wildcard formal/axi_rules.vh tb/*/*_rules.sv) $K/flags \
+		$(if $(filter tb_shell,$(BENCH)),$K/rt_core.sv)
 	@rm -f $K/Vrt_top*
 	$(VERILATE) --Mdir $K
 	@sh sim/at_once.sh $K tb/top/$(BENCH).cpp >$@

@@ -97,7 +97,8 @@ module rt_builder #(
     wire          read_slverr, read_decerr, write_slverr, write_decerr, busy;
     rt_build #(.W(W), .FW(FW), .COUNT(COUNT)) u_build (
         .clk(clk), .rst(build_rst), .start_i(go), .mode_i(mode_q), .count_i(count_q),
-        .prim_base_i(records_q), .root_i(root), .lines_i(lines_q), .busy_o(busy), .done_o(built), .error_o(errors),
+        .prim_base_i(records_q), .root_i(root), .lines_i(lines_q), .busy_o(busy),
+        .done_o(built), .error_o(errors),
         .written_o(written), .req_valid_o(req_valid), .req_ready_i(req_ready),
         .req_line_o(req_line), .rsp_valid_i(line_valid), .rsp_data_i(line),
         .rsp_error_i(line_error), .wr_valid_o(wr_valid), .wr_ready_i(wr_ready),
