@@ -106,6 +106,7 @@ CXXFLAGS := -std=c++17 -O2 $(WARN) -Icmodel
 # The same objects serve the tool and the shared library, which exports what sphaera.h has.
 SHARED   := -fPIC -fvisibility=hidden
 SANITIZE := -O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all
+THREADED := -O1 -g1 -fsanitize=thread
 CLANG_CC := $(CCACHE) clang
 # of programs that tests run
 LINKER   := $(shell sh sim/linker.sh)

@@ -120,12 +120,13 @@ void sphaera_mux(struct sphaera *s, unsigned frame) {
 /* Errors of a build, which says nothing of a frame. */
 #define BUILD_ERRORS                                                                               \
     (SPHAERA_ERRORS_BUILD_MANY | SPHAERA_ERRORS_BUILD_ROOM | SPHAERA_ERRORS_BUILD_RECORD |         \
-     SPHAERA_ERRORS_BUILD_BUS | SPHAERA_ERRORS_BUILD_REFUSED)
+     SPHAERA_ERRORS_BUILD_BUS | SPHAERA_ERRORS_BUILD_ORDER | SPHAERA_ERRORS_BUILD_REFUSED)
 
 int sphaera_trees(struct sphaera *s, const struct sphaera_trees *trees) {
     const uint32_t most = (s->built & SPHAERA_CORE_BUS_BUILD) >> SPHAERA_CORE_BUS_BUILD_LSB;
     if (!most || (trees && trees->count > (uint32_t)1 << most)) return SPHAERA_NO_BUILDER;
-    put(s, SPHAERA_BUILD_MODE, trees ? SPHAERA_BUILD_MODE_ROOT : 0);
+    put(s, SPHAERA_BUILD_MODE,
+        trees ? SPHAERA_BUILD_MODE_ROOT | (trees->order & SPHAERA_BUILD_MODE_ORDER) : 0);
     if (!trees) return SPHAERA_OK;
     put(s, SPHAERA_BUILD_COUNT, trees->count);
     put(s, SPHAERA_BUILD_RECORDS, trees->records);

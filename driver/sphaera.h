@@ -106,6 +106,7 @@ struct sphaera_trees {
     uint32_t records; /* line of the primitive record of sphere 0 */
     uint32_t tree[2]; /* lines of the roots */
     uint32_t lines;
+    unsigned order; /* 0 along a curve, 1 the paper's, 2 that of the build before: a refit */
 };
 
 /* These count from the next BUILD on, and frames read the newest tree from the next START on;

@@ -128,8 +128,10 @@
 #define SPHAERA_ERRORS_BUILD_RECORD 0x00040000u /* a record is no sphere of the profile, no tree was built */
 #define SPHAERA_ERRORS_BUILD_BUS_LSB 19u
 #define SPHAERA_ERRORS_BUILD_BUS 0x00080000u /* a bus of the builder had an error, or did nothing for WATCHDOG clocks */
-#define SPHAERA_ERRORS_BUILD_REFUSED_LSB 20u
-#define SPHAERA_ERRORS_BUILD_REFUSED 0x00100000u /* BUILD came while a tree was built or drained, and did nothing */
+#define SPHAERA_ERRORS_BUILD_ORDER_LSB 20u
+#define SPHAERA_ERRORS_BUILD_ORDER 0x00100000u /* no order, or a refit of other spheres than were built last */
+#define SPHAERA_ERRORS_BUILD_REFUSED_LSB 21u
+#define SPHAERA_ERRORS_BUILD_REFUSED 0x00200000u /* BUILD came while a tree was built or drained, and did nothing */
 #define SPHAERA_INTERRUPTS 0x030u /* w1c: what happened */
 #define SPHAERA_INTERRUPTS_RESET 0x00000000u
 #define SPHAERA_INTERRUPTS_FRAME_DONE_LSB 0u
@@ -228,7 +230,7 @@
 #define SPHAERA_ADDRESS_HIGH_FRAME2 0x00ff0000u /* of FRAME2 */
 #define SPHAERA_ADDRESS_HIGH_SCENE_LSB 24u
 #define SPHAERA_ADDRESS_HIGH_SCENE 0xff000000u /* of SCENE_BASE */
-#define SPHAERA_BUILD_COUNT 0x080u /* rw: spheres of the next BUILD; all BUILD_*: lines of SCENE_BASE */
+#define SPHAERA_BUILD_COUNT 0x080u /* rw: spheres of the next BUILD; lines are of SCENE_BASE */
 #define SPHAERA_BUILD_COUNT_RESET 0x00000000u
 #define SPHAERA_BUILD_COUNT_SPHERES_LSB 0u
 #define SPHAERA_BUILD_COUNT_SPHERES 0x00ffffffu /* their number */
@@ -251,7 +253,7 @@
 #define SPHAERA_BUILD_MODE 0x094u /* rw: how trees are built and used */
 #define SPHAERA_BUILD_MODE_RESET 0x00000000u
 #define SPHAERA_BUILD_MODE_ORDER_LSB 0u
-#define SPHAERA_BUILD_MODE_ORDER 0x00000003u /* of the spheres, 0: along a curve; others do nothing yet */
+#define SPHAERA_BUILD_MODE_ORDER 0x00000003u /* of the spheres: 0 along a curve, 1 the paper's, 2 of the build before */
 #define SPHAERA_BUILD_MODE_ROOT_LSB 8u
 #define SPHAERA_BUILD_MODE_ROOT 0x00000100u /* a frame has the newest tree's line in place of register ROOT */
 #define SPHAERA_BUILD_CLOCKS 0x098u /* ro: clocks of the last build, without waiting for its place */
@@ -389,6 +391,7 @@
     X(SPHAERA_ERRORS_BUILD_ROOM, "fewer lines than two a sphere, no tree was built") \
     X(SPHAERA_ERRORS_BUILD_RECORD, "a record is no sphere of the profile, no tree was built") \
     X(SPHAERA_ERRORS_BUILD_BUS, "a bus of the builder had an error, or did nothing for WATCHDOG clocks") \
+    X(SPHAERA_ERRORS_BUILD_ORDER, "no order, or a refit of other spheres than were built last") \
     X(SPHAERA_ERRORS_BUILD_REFUSED, "BUILD came while a tree was built or drained, and did nothing")
 
 #endif

@@ -1,4 +1,4 @@
-// f_axi_read_two.v - proof of rt_axi_read_two: what is offered stands, goes once, nobody is forgotten
+// f_axi_read_two.v - proof of rt_axi_read_two: requests stand and go once, in turn
 // SPDX-License-Identifier: Apache-2.0
 // Both masters keep what they offer until it is taken, as f_axi_read proves of theirs.
 `timescale 1ns / 1ps

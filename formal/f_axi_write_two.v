@@ -88,7 +88,7 @@ module f_axi_write_two (
         assert (m_awvalid || m_wvalid || aw_q == 2'd0);                  // somebody is served
         assert (bvalid != 2'b11);
         if (bvalid != 2'd0) assert (m_bvalid);
-        if (m_bvalid && m_bready) assert (bvalid == 2'b01 && bready[0] || bvalid == 2'b10 && bready[1]);
+        if (m_bvalid && m_bready) assert ((bvalid & bready) == 2'b01 || (bvalid & bready) == 2'b10);
         // invariant
         assert (\u_dut.burst_q == open_q);
         if (open_q) assert (\u_dut.of_b_q == owner_q);

@@ -27,7 +27,7 @@ module f_control #(
     input wire [127:0] built,
     input wire [31:0]  status,
     input wire [63:0]  build,
-    input wire [20:0]  errors,
+    input wire [21:0]  errors,
     input wire [3:0]   happened,
     input wire         good,
     input wire [31:0]  machine_data,

@@ -17,11 +17,11 @@ module f_trees (
     input wire        load,
     input wire        frame,
     input wire        built,
-    input wire [3:0]  errors,
+    input wire [4:0]  errors,
     input wire        idle,
     input wire        stall
 );
-    wire [4:0]  told;
+    wire [5:0]  told;
     wire        done, building, draining, valid, newest, start, held, reads, accept, go, cut;
     wire [31:0] clocks;
     wire [`RT_LINE_BITS-1:0] reads_line, line;
@@ -49,7 +49,7 @@ module f_trees (
         valid_q  <= valid && !rst;
         newest_q <= newest;
         newest_line_q <= \u_dut.newest_line_q ;
-        bad_q    <= !(built && errors == 4'd0);
+        bad_q    <= !(built && errors == 5'd0);
         anew_q   <= anew && !rst;
         owed_q   <= rst || anew ? 2'd0 : owed_q + {1'b0, accept} - {1'b0, done};
         read_q   <= load ? \u_dut.newest_line_q : read_q;

@@ -12,7 +12,7 @@ set -u
 cd "$(dirname "$0")/.." || exit 2
 pattern=${1:-} BUILD=${BUILD:-build} NICE=${NICE:-nice} CC=${CC:-gcc}
 dir=$BUILD/formal
-include='-Irtl/memory -Irtl/math -Irtl/prim -Irtl/trace -Irtl/core -Irtl/top -Irtl/engine'
+include=$(find rtl -name '*.v*' -exec dirname {} + | sort -u | sed 's/^/-I/' | tr '\n' ' ')
 cbmc=${CBMC:-$(command -v cbmc || command -v "$BUILD/cbmc/usr/bin/cbmc")} absent=
 mkdir -p "$dir" || exit 2
 : >"$dir/table"

@@ -1,10 +1,14 @@
-# coverage.py - lines and bits of small modules that their benches run and toggle
+# coverage.py - lines, branches and bits of every module that benches and frames meet
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 -m lab coverage BUILD [MODULE...]
-Verilator counts how often a branch of a module is taken and each bit of its ports and registers
-changes. A module's bench runs with 3000 vectors in its first MOST lines of tb/benches.txt; what
-any of them meets counts. Without MODULEs those of at most LINES lines of code. The table goes into
-docs/results/verification.md."""
+"""usage: python3 -m lab coverage [--least] [--so-far] BUILD [PROGRAM...]
+Verilator counts how often a line is reached, a branch taken, and each bit of ports, wires and
+registers changes. Programs are benches of tb/benches.txt (the first MOST lines of each module's,
+VECTORS vectors, of small modules all), frames of the core, and rt_top and boards around the golden
+model; what any of them meets in any instance counts. What each has met is kept in BUILD/coverage,
+so that a run that was ended goes on. tb/coverage.txt names what nothing can meet, with the reason.
+Without PROGRAMs the table goes into docs/results/verification.md, with --so-far that of the
+programs that have run; with --least PROGRAMs fail if they leave anything of their own module."""
+import fnmatch
 import glob
 import os
 import re
@@ -13,51 +17,110 @@ import subprocess
 import sys
 from collections import defaultdict
 
-from . import benches
-from .faults.drawn import page, plan
+from . import benches, intact
+from .faults.drawn import boards, page, plan
+from .faults.drawn import benches as drawn
+from .jobs import store
 from .pages import place
 
-LINES = 115     # of code, of a small module
-MOST = 3        # lines of its bench
-VECTORS = "3000"
-WRITE = '::final() { VerilatedCov::write(std::getenv("COVERAGE"));'
+MOST = 3            # lines of a bench
+SMALL = 60          # lines of a module whose bench runs as long as it does
+VECTORS = "20000"   # of others
+WAIVED = "tb/coverage.txt"
+KINDS = ("line", "branch", "toggle")
+NAMES = {"line": "lines", "branch": "branches", "toggle": "bits"}
+# Counts lie in the model, so they are written before it goes; a harness may make several.
+BEGIN = '''#include <verilated_cov.cpp>
+#include <cstdlib>
+#include <string>
+static void covered() {
+    static int n;
+    const std::string name = std::string(std::getenv("COVERAGE")) + "." + std::to_string(n++);
+    VerilatedCov::write(name.c_str());
+    VerilatedCov::clear();
+}
+'''
 
 
-def program(bench, folder, compiler):
-    """The bench of a line, which writes $COVERAGE at its end."""
-    shutil.rmtree(folder, ignore_errors=True)
-    os.makedirs(folder)
-    log = f"{folder}/log"
-    sources = glob.glob(f"rtl/*/{bench.top}.v")
-    benches.shell(["verilator", "--cc", "--top-module", bench.top, "--coverage-line",
-                   "--coverage-toggle", "--x-assign", "unique", "--x-initial", "unique",
-                   *benches.folders(),
-                   *[f"-G{n}={v}" for n, v in bench.parameters], "-Mdir", folder, *sources], log)
-    model = f"{folder}/V{bench.top}.cpp"
-    with open(model, encoding="utf-8") as f:
-        text = f.read()
-    text, found = re.subn(r"::final\(\) \{", lambda m: WRITE, text)
-    if not found:
-        sys.exit(f"coverage: {model} has no final()")
-    with open(model, "w", encoding="utf-8") as f:
-        f.write("#include <cstdlib>\n#include <verilated_cov.h>\n" + text)
-    with open(f"{folder}/all.cpp", "w", encoding="utf-8") as f:
-        subprocess.run(["sh", "sim/at_once.sh", folder, bench.source()], check=True, stdout=f)
-        f.write("#include <verilated_cov.cpp>\n")
-    benches.shell([*compiler, "-O0", f'-DPROFILE="{bench.configuration}"', *bench.macros, "-w",
-                   "-DVM_COVERAGE=1", "-isystem", folder, "-c", f"{folder}/all.cpp", "-o",
-                   f"{folder}/all.o"], log)
-    benches.shell(["g++", f"{folder}/all.o",
-                   *sorted(glob.glob(f"{bench.build}/sim/obj/bench_*.o")),
-                   f"{bench.build}/test/libhard.a", f"{bench.build}/libsphaera.a",
-                   "-Wl,--as-needed",
-                   *benches.words_of("pkg-config", "--libs", "gmp", "mpfr", "expat", "zlib"), "-lm",
-                   "-lpthread", "-o", f"{folder}/bench"], log)
-    return f"{folder}/bench"
+class Covered:
+    """Of a program with counters in it; its folder is that of what it has met."""
+
+    def compile(self, folder, verilate, harness, macros, objects, libraries, effort="-O0",
+                begin=""):
+        return super().compile(folder, [*verilate, "-Wno-fatal", "--coverage-line",
+                                        "--coverage-toggle"],
+                               harness, macros, objects, libraries, "-O0", BEGIN + begin)
+
+    def verilated(self, made):
+        name = f"{made}/V{self.outer}.cpp"
+        text = re.sub(r"(::final\(\) \{|::~V\w+\(\) \{)", r"\1 covered();",
+                      benches.text_of(name))
+        text, found = re.subn(r"addModel\(this\);",
+                              r"\g<0> static int end = std::atexit(covered); (void)end;",
+                              text)
+        if not found:
+            raise benches.Broken(f"{name}: Verilator registers no model in it")
+        intact.write(name, text)
 
 
-def points(name, module):
-    """{(kind, place): times} of a module's own points in Verilator's file."""
+class Line(Covered, benches.Line):
+    def __init__(self, line, build):
+        super().__init__(line, build)
+        self.folder = f"{build}/coverage/{self.name.replace('/', '-')}"
+        self.runs = [["1"] if plan.modules()[self.top] <= SMALL else ["1", VECTORS]]
+
+    def program(self):
+        return self.of_sources(self.folder)
+
+
+def whole(kind):
+    """A class of lab.faults.drawn, of the sources in place of a netlist with faults."""
+    class Whole(Covered, kind):
+        def __init__(self, *words):
+            super().__init__(*words)
+            self.folder = f"{self.build}/coverage/{self.name.replace('/', '-')}"
+            kind.__init__(self, *words)     # its runs name the folder
+            self.folder = f"{self.build}/coverage/{self.name.replace('/', '-')}"
+            self.runs = [[word.replace(f"{self.build}/mutants/", f"{self.build}/coverage/")
+                          for word in run] for run in self.runs]
+            self.parameters = [[n, v.replace(f"{self.build}/mutants/", f"{self.build}/coverage/")]
+                               for n, v in self.parameters]
+
+        def program(self):
+            os.makedirs(self.folder, exist_ok=True)
+            if hasattr(self, "prepare"):
+                self.prepare()
+            return self.make(glob.glob(f"rtl/*/{self.top}.v")[0])
+
+        def compiled(self, verilog, harness, macros, objects, libraries, more=()):
+            inner = [*benches.folders()]
+            if any(str(word).endswith("rt_core.sv") for word in more):
+                inner = [word for word in inner if word not in ("-y", "rtl/core")]
+                inner = [w for d in sorted(glob.glob("rtl/*")) if d != "rtl/core"
+                         for w in ("-y", d, "-I" + d)] + ["-Irtl/core", "-y", "tb/board"]
+            outer = [] if self.outer != self.top else [
+                f"-G{n}={v}" for n, v in self.parameters]
+            return self.compile(self.folder, [*drawn.LOOSE, verilog, *inner, *outer,
+                                              *(w for w in more if not w.startswith("tb/board/"))],
+                                harness, macros, objects, libraries)
+    return Whole
+
+
+def programs(build):
+    """Every program, the smallest first."""
+    lists = benches.every(build, Line)
+    for top in sorted({line.top for line in lists}):
+        yield from [line for line in lists if line.top == top][:MOST]
+    yield whole(drawn.Shell)(build)
+    yield whole(boards.SdramBoard)(build)
+    yield whole(boards.RamBoard)(build)
+    for effects in drawn.CORES:
+        yield whole(drawn.Core)(effects, build)
+
+
+# ---- what was met ----
+def read(name):
+    """{(module, kind, line, what): times} of Verilator's file."""
     found = defaultdict(int)
     with open(name, encoding="latin-1") as f:
         for line in f:
@@ -65,45 +128,147 @@ def points(name, module):
                 continue
             key, count = line[3:].rsplit("' ", 1)
             word = dict(w.split("\2", 1) for w in key.split("\1") if "\2" in w)
-            if os.path.basename(word["f"]) == module + ".v" and word["o"] != "unused":
-                kind = "toggle" if "toggle" in word["page"] else "line"
-                found[kind, word["l"], word.get("n", ""), word["o"]] += int(count)
+            module = os.path.basename(word["f"])[:-2]
+            kind = word["page"].split("/")[0].removeprefix("v_")
+            if "rtl/" in word["f"] and kind in KINDS and not word["o"].startswith("unused"):
+                what = word["o"] if kind == "toggle" else f"{word.get('n', '')} {word['o']}"
+                found[module, kind, word["l"], what.strip()] += int(count)
     return found
 
 
-def main(build, *names):
-    with open(f"{build}/sim/obj/compile-O1", encoding="utf-8") as f:
-        compiler = [w for w in f.read().split() if w != "-O1"]
-    cut = compiler.index("-include-pch") if "-include-pch" in compiler else None
-    if cut is not None:
-        del compiler[cut:cut + 2]
-    lists, lines = benches.every(build), plan.modules()
-    rows = []
-    for module in sorted({bench.top for bench in lists}):
-        mine = [bench for bench in lists if bench.top == module][:MOST]
-        with open(mine[0].source(), encoding="utf-8") as f:
-            whole = re.search(r"bench::Bench<.* b\(", f.read())     # calls final()
-        if not (module in names if names else whole and lines[module] <= LINES):
-            continue
-        met = defaultdict(int)
-        for bench in mine:
-            folder = f"{build}/coverage/{bench.name.replace('/', '-')}"
-            ran = program(bench, folder, compiler)
-            subprocess.run([ran, "1", VECTORS], check=True, stdout=subprocess.DEVNULL,
-                           env={**os.environ, "COVERAGE": f"{folder}/points"})
-            for point, times in points(f"{folder}/points", module).items():
-                met[point] += times
-            shutil.rmtree(folder)
-        row = [module, str(len(mine))]
-        for kind in ("line", "toggle"):
-            times = [n for point, n in met.items() if point[0] == kind]
-            hit = sum(n > 0 for n in times)
-            row += [f"{hit} of {len(times)}", f"{100 * hit / max(1, len(times)):.1f}"]
-        rows.append(row)
-        print(*row, flush=True)
-        for kind, line, name, what in sorted(p for p, n in met.items() if not n)[:12]:
-            print(f"    never: {module}.v:{line} {kind} {name} {what}", flush=True)
-    if not names:
+def digest(program):
+    own = [program.source()] if isinstance(program, Line) else program.sources()
+    return store.digest(["rtl/*/*.v", "rtl/*/*.vh", "tb/*.h", *own,
+                         *{f"{os.path.dirname(name)}/*.h" for name in own}]) + program.name
+
+
+def kept(program):
+    """What a program has met, if it ran since its sources changed."""
+    name, text = f"{program.folder}.points", digest(program)
+    if os.path.exists(name) and benches.text_of(name).partition("\n")[0] == text:
+        return [line.split("\t") for line in benches.text_of(name).splitlines()[1:]]
+    return None
+
+
+def met(program):
+    """What a program meets, kept as long as its sources stay."""
+    shutil.rmtree(program.folder, ignore_errors=True)
+    os.makedirs(program.folder)
+    bench = program.program()
+    found = defaultdict(int)
+    for number, run in enumerate(program.runs):
+        points = f"{program.folder}/points{number}"
+        ran = subprocess.run([bench, *run], check=False, stdout=subprocess.PIPE,
+                             stderr=subprocess.STDOUT, encoding="utf-8", errors="replace",
+                             env={**os.environ, "COVERAGE": points, "SPHAERA":
+                                  f"{program.build}/sphaera"})
+        if ran.returncode:
+            raise benches.Broken(f"{program.name} {' '.join(run)} ends with {ran.returncode}\n"
+                                 + ran.stdout[-2000:])
+        for name in glob.glob(points + ".*"):
+            for point, times in read(name).items():
+                found[point] += times
+    shutil.rmtree(program.folder)
+    rows = [[*point, str(int(times > 0))] for point, times in sorted(found.items())]
+    intact.write(f"{program.folder}.points", "\n".join(
+        [digest(program), *("\t".join(row) for row in rows)]) + "\n")
+    return rows
+
+
+# ---- what nothing can meet ----
+def waivers():
+    """[(line of the file, module, kind, pattern)]; the reason is for who reads it."""
+    found = []
+    with open(WAIVED, encoding="utf-8") as f:
+        for number, line in enumerate(f, 1):
+            if line.startswith("#") or not line.strip():
+                continue
+            words = line.split(None, 3)
+            if len(words) < 4 or words[1] not in NAMES.values():
+                sys.exit(f"{WAIVED}:{number}: no module, kind ({', '.join(NAMES.values())}), name "
+                         "and reason")
+            kind = next(k for k, v in NAMES.items() if v == words[1])
+            found.append((number, words[0], kind, words[2]))
+    return found
+
+
+def named(pattern, what, line):
+    """Whether a waiver's pattern, a bit's name or a line's text, names a point."""
+    return fnmatch.fnmatchcase(what, pattern.replace("[", "[[]")) or pattern == f"line{line}"
+
+
+def gather(chosen, so_far):
+    """(points of all programs, lines of benches of each top, programs that are not met, and why)"""
+    points, tops, broken = defaultdict(int), defaultdict(int), {}
+    for program in chosen:
+        rows = kept(program)
+        try:
+            if rows is None and so_far:
+                raise benches.Broken("has not run")
+            for *point, times in rows if rows is not None else met(program):
+                points[tuple(point)] |= int(times)
+            tops[program.top] += 1
+        except benches.Broken as why:
+            broken[program.name] = why
+            if not so_far:
+                print(f"not ok {program.name}: {why}", flush=True)
+    return points, tops, broken
+
+
+def table(points, modules, tops):
+    """(rows of modules, {kind: [met, all]}, what is not met, lines of WAIVED that were needed)"""
+    rows, total = [], {kind: [0, 0] for kind in KINDS}
+    holes, used, lists = [], set(), waivers()
+    for module in modules:
+        mine = {kind: [0, 0] for kind in KINDS}
+        for point, times in points.items():
+            if point[0] != module:
+                continue
+            waiver = next((w for w in lists if w[1] == module and w[2] == point[1]
+                           and named(w[3], point[3], point[2])), None)
+            if waiver and not times:
+                used.add(waiver[0])
+                continue
+            if not times:
+                holes.append(point)
+            for count in (mine[point[1]], total[point[1]]):
+                count[0] += times
+                count[1] += 1
+        rows.append([module, str(tops.get(module, 0)), *cells(mine)])
+    return rows, total, sorted(holes), used
+
+
+def cells(counts):
+    return [word for kind in KINDS for word in (
+        f"{counts[kind][0]} of {counts[kind][1]}", share(counts[kind]))]
+
+
+def main(build, *names, least=False, so_far=False):
+    chosen = [p for p in programs(build) if not names or p.name in names or p.top in names]
+    if names and not chosen:
+        sys.exit(f"coverage: there is no program {' '.join(names)}")
+    points, tops, broken = gather(chosen, so_far)
+    modules = sorted(tops if names else {point[0] for point in points})
+    rows, total, holes, used = table(points, modules, tops)
+    for row in rows:
+        print(*row)
+    for module, kind, line, what in holes:
+        print(f"    never: {module}.v:{line} {NAMES[kind]} {what}")
+    if names:
+        bad = broken or (least and holes)
+        print("not ok" if bad else "ok", "coverage of", *names)
+        return int(bool(bad))
+    for number, module, kind, pattern in waivers():
+        if number not in used and not broken:
+            print(f"{WAIVED}:{number}: nothing is left of {module} {NAMES[kind]} {pattern}")
+    ran = f"{len(chosen) - len(broken)} of {len(chosen)} programs"
+    rows.append(["**all**", ran, *cells(total)])
+    print(*rows[-1])
+    if not broken or so_far:
         place.place(page.PAGE, "make coverage", {"coverage": [
-            ["module", "lines of its bench", "branches taken", "%", "bits toggled", "%"],
-            *rows]})
+            ["module", "lines of its bench", "lines", "%", "branches", "%", "bits", "%"], *rows]})
+    return int(bool(broken) and not so_far)
+
+
+def share(count):
+    return f"{100 * count[0] / count[1]:.1f}" if count[1] else "-"

@@ -1,8 +1,8 @@
 # swarm.py - a swarm whose tree rt_top builds, and whose the host builds or refits: `make swarm`
 # SPDX-License-Identifier: Apache-2.0
-"""Each row is a run of `make sim TOP=1`, whose frames equal the golden model's; figures are means of
-the frames behind the first. A host's tree is part of what it uploads, one that rt_top builds is not.
-Both go on while the frame before is drawn."""
+"""Each row is a run of `make sim TOP=1`, whose frames equal the golden model's; figures are means
+of the frames behind the first. A host's tree is part of what it uploads, one that rt_top builds is
+not. Both go on while the frame before is drawn."""
 import json
 from pathlib import Path
 

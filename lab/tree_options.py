@@ -1,11 +1,11 @@
 # tree_options.py - the trees that studies draw with, and what `sphaera build` is told for each
 # SPDX-License-Identifier: Apache-2.0
-"""NAME: default, a tree of bvh4 (paper, balanced, reinserted, hw), a way of --accel, or bih and
-listing with the most primitives of a leaf behind them: bih1, listing8."""
+"""NAME: default, a tree of bvh4 (paper, balanced, reinserted, hw, hw1, hw2), a way of --accel, or
+bih and listing with the most primitives of a leaf behind them: bih1, listing8."""
 import re
 
 OF_FOUR = ("paper", "balanced", "reinserted")
-BVH4 = OF_FOUR + ("hw",)
+BVH4 = OF_FOUR + ("hw", "hw1", "hw2")
 ACCELS = ("bvh4", "box4", "bih", "brute")
 
 

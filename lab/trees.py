@@ -27,6 +27,9 @@ BALLS = [("`paper100`", "paper100"), ("random:256", "gen random:256"),
          ("random:4096", "gen random:4096"), ("1TII, a protein", "import " + PROTEIN),
          ("sphereflake:4", "gen sphereflake:4")]
 ALL = [("`paper5`", "paper5"), ("`sphereflake2`", "sphereflake2"), *BALLS]
+LARGEST = [("random:100000", "gen random:100000"), ("random:1000000", "gen random:1000000")]
+BUILT = [tree for tree in BVH4 if tree.startswith("hw")]
+FRAMES, DRIFTS = 12, [(1000, .02), (1000, .2), (4096, .02), (4096, .2)]  # spheres, way of a frame
 MIXED = [(f"`{name}`", name) for name in ("facets/room", "texture/kitchen", "texture/museum",
                                           "texture/robot", "paper100", "sphereflake2")]
 FACETS = [("`facets/plane`", "facets/plane"), ("`facets/triangles`", "facets/triangles"),
@@ -135,16 +138,43 @@ def bounded(runner):
 
 
 def hardware(runner):
-    """Visits of a ray in the tree that hardware builds and in those of the host."""
+    """Visits of a ray in the trees that hardware builds and in those of the host; of primary rays,
+    against their bound. The paper's tree of a million spheres takes an hour and is left out."""
     rows = []
-    for name, source in [("`paper5`", "paper5"), *BALLS, ("random:100000", "gen random:100000")]:
+    for name, source in [("`paper5`", "paper5"), *BALLS, *LARGEST]:
         scene = runner.scene(source)
-        drawn = [runner.drawn(scene, *options(tree)) for tree in BVH4]
-        same(scene, *drawn)
-        visits = [each(d, "node_visits")[0] for d in drawn]
-        rows.append([name, primitives(drawn[0]), *visits,
-                     f"{float(visits[-1]) / float(visits[-2]):.2f}"])
-    return report.table(["scene", "spheres", *BVH4, "hw / reinserted"], rows)
+        trees = [tree for tree in BVH4 if tree != "paper" or source != LARGEST[-1][1]]
+        drawn = {tree: runner.drawn(scene, *options(tree)) for tree in trees}
+        same(scene, *drawn.values())
+        primary = runner.drawn(scene, *options("hw1"), "--depth", "0", "--shadow", "off")
+        n = primitives(primary)
+        visits = {tree: each(d, "node_visits")[0] for tree, d in drawn.items()}
+        rows.append([name, n, *(visits.get(tree, "-") for tree in BVH4),
+                     *(f"{float(visits[tree]) / float(visits['reinserted']):.2f}"
+                       for tree in BUILT),
+                     each(primary, "node_visits")[0], f"{bound(ids(runner.path('frame')), n):.2f}"])
+    return report.table(["scene", "spheres", *BVH4, *(f"{tree} / reinserted" for tree in BUILT),
+                         "primary: hw1", "bound"], rows)
+
+
+def moved(runner):
+    """Visits of a ray in the last of FRAMES frames: trees that are built in each, and refitted."""
+    ways = {"reinserted": options("reinserted"),
+            "refitted": [*options("reinserted"), "--refit", "on"],
+            **{tree: options(tree) for tree in BUILT}}
+    rows = []
+    for n, drift in DRIFTS:
+        scene, last = runner.path("scene.nff"), []
+        runner.run("gen", "random", "-n", n, "--drift", drift, "-o", scene)
+        for words in ways.values():
+            print("  RUN ", n, drift, *words, flush=True)
+            frames = json.loads(runner.run("render", scene, "--profile", "standard", "--size",
+                                           LARGE, "--frames", f"0..{FRAMES - 1}", *words,
+                                           "--json", "-"))["frames"]
+            last.append(frames[-1])
+        same(scene, *last)
+        rows.append([f"random:{n}", drift, *(each(frame, "node_visits")[0] for frame in last)])
+    return report.table(["scene", "a frame", *ways], rows)
 
 
 def boxes(runner):
@@ -184,6 +214,7 @@ def main(tool, folder, page):
     place(page, "make trees", {
         "work": lambda: work(runner, ALL, "leaf_tests", "leaves"),
         "bound": lambda: bounded(runner), "hardware": lambda: hardware(runner),
+        "moved": lambda: moved(runner),
         "boxes": lambda: boxes(runner),
         "facets": lambda: work(runner, FACETS, "facet_tests", "facets"),
         "walk": lambda: walked(runner)})

@@ -62,7 +62,7 @@ $B/clang/obj/%.o: %.cpp $B/flags
 	@mkdir -p $(@D)
 	$(call compile_whole,$(CCACHE) clang++ -std=c++17 -Icmodel $(CLANG_SANITIZE) \
 	    $(call pkg,--cflags OpenImageIO | sed 's/-I/-isystem /g'))
-$(foreach h,asan clang fuzz/afl,$B/$h/obj/cmodel/sphaera/version.o): VERSION
+$(foreach h,asan tsan clang fuzz/afl,$B/$h/obj/cmodel/sphaera/version.o): VERSION
 
 # how
 define fuzz_how
@@ -124,7 +124,14 @@ fuzz-page: ## what make fuzz has run, into docs/results/verification.md
 
 # ---- faults on the way of files ----
 .PHONY: faults
-faults: $(TOOL) ## every command while disks are full, signals come, two run at once; 30 minutes
+NO_MEMORY := $B/test/no_memory.so
+$(NO_MEMORY): tests/tool/no_memory.c $B/flags
+	$(call say,TEST,no_memory)
+	@mkdir -p $(@D)
+	$(call make_whole,$(CC) $(CFLAGS) -shared -fPIC $(filter %.c,$^))
+tests/tool/test_faults.sh: | $(NO_MEMORY)
+faults: $(TOOL) $(NO_MEMORY)
+faults: ## every command while disks are full, signals come, two run at once; 30 minutes
 	$(Q)mkdir -p $B/test
 	$(Q)python3 tests/tool/faults.py $(TOOL) $B/test/faults | tee $B/test/faults.log
 	@! grep -q '^not ok\|^Bail' $B/test/faults.log

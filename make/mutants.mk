@@ -55,7 +55,7 @@ designed: $(TOOL) $(MODEL) $B/test/libhard.a ## faults as designers make them, a
 	$(Q)python3 -m lab designed --others $B $(MUTANT)
 	$(Q)$(if $(MUTANT),true,python3 -m lab designed --told $B)
 
-# Branches and bits that the benches of small modules meet.
-coverage: $(MODEL) $B/test/libhard.a ## branches and bits of small modules that their benches meet
-	@BENCH_BUILD=$B python3 -m lab benches --tools
+# What benches and frames meet of every module; a run that was ended goes on.
+coverage: $(TOOL) $B/test/libhard.a ## lines, branches and bits of the RTL that checks meet, merged
+	@BENCH_BUILD=$B python3 -m lab benches --tools && sh sim/core.sh --help >$B/core-help.log
 	$(Q)python3 -m lab coverage $B

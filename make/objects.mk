@@ -52,12 +52,18 @@ $B/clang/obj/%.o: %.c $B/flags
 	@mkdir -p $(@D)
 	$(call compile_whole,$(CLANG_CC) $(CLANG_FLAGS))
 
+$B/tsan/obj/%.o: %.c $B/flags
+	$(call progress,CC,"$(<F) for threads")
+	@mkdir -p $(@D)
+	$(call compile_whole,$(CC) $(CFLAGS) $(THREADED))
+
 objects = $(patsubst %.c,$B/$(1)%.o,$(filter %.c,$(2))) \
           $(patsubst %.cpp,$B/$(1)%.o,$(filter %.cpp,$(2)))
 
 $(MODEL): $(call objects,obj/,$(LIB_C)) $B/sources
 $(IMAGE): $(call objects,obj/,$(IMAGE_CXX) $(IMAGE_C)) $B/sources
 $B/asan/libsphaera.a: $(call objects,asan/obj/,$(LIB_C)) $B/sources
+$B/tsan/libsphaera.a: $(call objects,tsan/obj/,$(LIB_C)) $B/sources
 $B/clang/libsphaera.a: $(call objects,clang/obj/,$(LIB_C)) $B/sources
 %.a:
 	$(call say,AR,$(@F))
@@ -72,11 +78,11 @@ $(VERSION_O): override CFLAGS += -DSPHAERA_RELEASE='"$(VERSION)"'
 # Files that ask for more than every processor of its kind has; who calls them looks whether this
 # one has it (cmodel/fast/decode.c).
 AVX2 := $(if $(findstring x86_64,$(shell $(CC) -dumpmachine 2>/dev/null)),-mavx2)
-$B/obj/cmodel/fast/%_avx2.o $B/asan/obj/cmodel/fast/%_avx2.o: override CFLAGS += $(AVX2)
+$(foreach h,obj asan/obj tsan/obj,$B/$h/cmodel/fast/%_avx2.o): override CFLAGS += $(AVX2)
 $B/clang/obj/cmodel/fast/%_avx2.o: override CLANG_FLAGS += $(AVX2)
 
 # Floating point of which each operation rounds.
-$B/obj/cmodel/reference/floats.o $B/asan/obj/cmodel/reference/floats.o: \
+$(foreach h,obj asan/obj tsan/obj,$B/$h/cmodel/reference/floats.o): \
     override CFLAGS += -ffp-contract=off
 
 # What the tool loads when a picture is asked for: cmodel/image/lazy.c.
@@ -95,4 +101,5 @@ $(TOOL): $(call objects,obj/,$(TOOL_C) $(IMAGE_C) $(LAZY_C)) $(VERSION_O) $(MODE
                             $(LAZY_C) \
                             $(API_C)) \
                             $(call objects,asan/obj/,$(LIB_C)) \
+                            $(call objects,tsan/obj/,$(LIB_C)) \
                             $(call objects,clang/obj/,$(LIB_C)))

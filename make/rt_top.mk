@@ -5,7 +5,7 @@
 B       ?= build
 # another source folder, with a name for what is built of it
 RTL     ?= rtl
-NAME    ?= $(PROFILE)-$(CORE)-$(DATA)$(if $(filter 1,$(LAYERS)),-layers)$(if $(TREES:0=),-trees$(TREES))
+NAME    ?= $(PROFILE)-$(CORE)-$(DATA)$(if $(filter 1,$(LAYERS)),-layers)$(of_trees)
 PROFILE ?= draft
 CORE    ?= all
 # bits of the scene's data; of frame store and display too, up to 128
@@ -13,6 +13,7 @@ DATA    ?= 64
 LAYERS  ?= 0
 # spheres that it builds trees of, 0: it builds none
 TREES   ?= 0
+of_trees = $(if $(TREES:0=),-trees$(TREES))
 # bits of an address: more with one of the widths
 ADDR    ?= $(if $(filter 128,$(DATA)),40,32)
 BENCH   ?= tb_top
@@ -50,13 +51,15 @@ $K/rt_core.sv: rtl/core/rt_core.v tb/top/golden_core.svh
 	@mkdir -p $K
 	sed '/^);/q' $< | cat - tb/top/golden_core.svh >$@
 
-$K/all.cpp: $(RTL_FILES) $(wildcard formal/axi_rules.vh tb/*/*_rules.sv) $K/flags $(if $(filter tb_shell,$(BENCH)),$K/rt_core.sv)
+$K/all.cpp: $(RTL_FILES) $(wildcard formal/axi_rules.vh tb/*/*_rules.sv) $K/flags \
+		$(if $(filter tb_shell,$(BENCH)),$K/rt_core.sv)
 	@rm -f $K/Vrt_top*
 	$(VERILATE) --Mdir $K
 	@sh sim/at_once.sh $K tb/top/$(BENCH).cpp >$@
 
 $K/top.o: $K/all.cpp $(PRECOMPILED)
-	$(COMPILE) $(PARAMETERS:%=-DTOP_%) -DDATA=$(FRAME_DATA) -DADDR=$(ADDR) -isystem $K -MD -MP -c $< -o $@
+	$(COMPILE) $(PARAMETERS:%=-DTOP_%) -DDATA=$(FRAME_DATA) -DADDR=$(ADDR) -isystem $K -MD -MP -c \
+		$< -o $@
 
 # As for a board: no library, no warnings.
 $(DRIVER): $(wildcard driver/*)

@@ -14,7 +14,8 @@ WHOLE         := $(filter-out auto all all+% $(if $(findstring camera,$(EFFECTS:
                      $(EFFECTS))
 BUILD_OPTIONS := --profile $(BUILD_PROFILE) --depth $(DEPTH) --background $(BACKGROUND) \
                  --traverse $(TRAVERSE) \
-                 $(if $(filter bvh4,$(ACCEL)),--accel bvh4 --tree $(or $(CHIP_BUILDS),$(TREE)),--accel $(ACCEL) \
+                 $(if $(filter bvh4,$(ACCEL)),--accel bvh4 --tree $(or $(GIVEN_TREE),$(TREE)),\
+                     --accel $(ACCEL) \
                      $(if $(GIVEN_TREE),--tree $(GIVEN_TREE))) \
                  $(if $(MAX_PRIMS),--max-prims $(MAX_PRIMS)) \
                  $(if $(MAX_TREE_DEPTH),--max-tree-depth $(MAX_TREE_DEPTH)) \

@@ -25,10 +25,15 @@ LONG    := tests/flow/test_benches.sh tests/core/test_effect_scenes.sh tests/cor
 CLANG_C := bih bih_walk build cones facets_grid leaf_cases limits machine_bih machine_facets \
            model_optics motion reference_optics render_texture scene_make scene_optics scene_pdb
 CLANG_RUN := $(CLANG_C:%=$B/test/test_%.clang)
+# Under ThreadSanitizer: `make test ONLY=.threads`.
+TSAN_C   := threads
+TSAN_RUN := $(TSAN_C:%=$B/test/test_%.threads)
 SUITES  += $(LONG) $(filter-out $(LONG),$(TEST_SH)) \
-           $(TEST_RUN) $(TEST_RUN:%=%.sanitized) $(CLANG_RUN) $(if $(OIIO),$B/test/test_image)
+           $(TEST_RUN) $(TEST_RUN:%=%.sanitized) $(CLANG_RUN) $(TSAN_RUN) \
+           $(if $(OIIO),$B/test/test_image)
 chosen   = $(if $(findstring $(ONLY),$(notdir $(1))),$(1))
-plain    = $(if $(findstring .,$(ONLY))$(ALL),$(SUITES),$(filter-out %.sanitized %.clang,$(SUITES)))
+plain    = $(if $(findstring .,$(ONLY))$(ALL),$(SUITES),\
+               $(filter-out %.sanitized %.clang %.threads,$(SUITES)))
 RUN      = $(if $(ONLY),$(foreach s,$(plain),$(call chosen,$s)),$(SUITES))
 
 test: ## every check; ends with `N passed, M failed`
@@ -66,6 +71,11 @@ $B/test/test_%.clang.o: test_%.c $B/flags
 	@mkdir -p $(@D)
 	$(call compile_whole,$(CLANG_CC) $(CLANG_FLAGS) -Itests)
 
+$B/test/test_%.threads.o: test_%.c $B/flags
+	$(call progress,TEST,"test_$* for threads")
+	@mkdir -p $(@D)
+	$(call compile_whole,$(CC) $(CFLAGS) -Itests $(THREADED))
+
 $(TEST_RUN): %: %.o $(MODEL)
 	$(call make_whole,$(CC) $(LINKER) $(filter %.o,$^) $(filter %.a,$^) $(TEST_LIBS))
 
@@ -76,17 +86,24 @@ $(TEST_RUN:%=%.sanitized): %: %.o $B/asan/libsphaera.a
 $(CLANG_RUN): %: %.o $B/clang/libsphaera.a
 	$(call make_whole,$(CLANG_CC) $(CLANG_FLAGS) $^ $(TEST_LIBS))
 
+$(TSAN_RUN): %: %.o $B/tsan/libsphaera.a
+	$(call make_whole,$(CC) $(LINKER) $(THREADED) $(filter %.o,$^) $(filter %.a,$^) $(TEST_LIBS))
+
 # Programs whose command lines a suite tries.
 tests/tool/test_numbers.sh: | $B/test/hard $B/test/test_frustum $B/test/test_malformed \
     $B/fuzz/plain/fuzz_options $(PICTURES)
 
 # The library's face, which the model's archive lacks.
 FACE := $(wildcard cmodel/sphaera/*.c) $(IMAGE_C) $(LAZY_C)
-$B/test/test_library $B/test/test_environment: $(call objects,obj/,$(FACE))
-$B/test/test_library.sanitized $B/test/test_environment.sanitized: $(call objects,asan/obj/,$(FACE))
-$B/asan/obj/cmodel/sphaera/version.o: override CFLAGS += -DSPHAERA_RELEASE='"$(VERSION)"'
+FACED := library environment threads
+$(FACED:%=$B/test/test_%): $(call objects,obj/,$(FACE))
+$(FACED:%=$B/test/test_%.sanitized): $(call objects,asan/obj/,$(FACE))
+$B/test/test_threads.threads: $(call objects,tsan/obj/,$(FACE))
+$(foreach h,asan tsan,$B/$h/obj/cmodel/sphaera/version.o): \
+    override CFLAGS += -DSPHAERA_RELEASE='"$(VERSION)"'
 
--include $(TEST_RUN:%=%.d) $(TEST_RUN:%=%.sanitized.d) $(CLANG_RUN:%=%.d)
+-include $(TEST_RUN:%=%.d) $(TEST_RUN:%=%.sanitized.d) $(CLANG_RUN:%=%.d) \
+         $(TSAN_RUN:%=%.d)
 
 # ---- the suite of images: it alone is linked with OpenImageIO ----
 $B/test/test_image: $B/obj/tests/image/test_image.o $(IMAGE) $(MODEL)

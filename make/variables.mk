@@ -22,7 +22,7 @@ ERROR ?=
 SIZE ?= 320x180
 ## SAMPLES 1..16 N x N rays a pixel: the frame is N times as wide and high, pictures have the mean
 SAMPLES ?= 1
-## TREE reinserted|balanced|paper|paper-grown|hw of bvh4
+## TREE reinserted|balanced|paper|paper-grown|hw|hw1|hw2 of bvh4
 TREE ?= reinserted
 ## ACCEL auto|bvh4|box4|bih|brute spheres or boxes around four children, a bounding interval
 ##             hierarchy, no tree;

@@ -10,8 +10,8 @@
 +incdir+rtl/video
 rtl/build/rt_build.v
 rtl/build/rt_build_bound.v
-rtl/build/rt_build_chain.v
 rtl/build/rt_build_groups.v
+rtl/build/rt_build_join.v
 rtl/build/rt_build_nodes.v
 rtl/build/rt_build_sort.v
 rtl/bus/rt_axi_read.v

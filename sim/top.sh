@@ -50,7 +50,8 @@ if [ -n "$CHIP_BUILDS" ]; then
 fi
 flock "$BUILD/sim/.tools.lock" env -u MAKEFLAGS -u MFLAGS make -s --no-print-directory \
     -f make/rt_top.mk B="$BUILD" BENCH=tb_frames NAME="$name" PROFILE="$profile" CORE="$core" \
-    DATA=64 LAYERS="$LAYERS" TREES="$trees" top >"$run/make.log" 2>&1 || { cat "$run/make.log" >&2; exit 1; }
+    DATA=64 LAYERS="$LAYERS" TREES="$trees" top >"$run/make.log" 2>&1 ||
+    { cat "$run/make.log" >&2; exit 1; }
 "$BUILD/sim/tb_frames-$name/tb_frames" "$LATENCY" "$STALL" "$SEED" "$run" "$@" \
     >"$run/checks" || { cat "$run/checks"; exit 1; }
 [ -z "${MOVIE:-}" ] || "$tool" movie -o "$MOVIE" "$run"/shown-*.ppm >&2

@@ -1,8 +1,12 @@
 /* bound.c - spheres in filter units that hold spheres of the grid  RTL: rtl/build/rt_build_bound.v
  * SPDX-License-Identifier: Apache-2.0
  *
- * The centre is the middle of a box, half a unit rounded up. A radius is rounded up twice, to grid
- * units and to filter units, so that it is never too small.
+ * A centre is a point of filter units, half a unit rounded up. A radius is rounded up twice, to
+ * grid units and to filter units, so that it is never too small.
+ *
+ * Around spheres of the grid the centre is the mean of two: the middle of their box, and the point
+ * that is in the middle, as nearly as one can be, of their extents along the four diagonals of a
+ * cube. A diagonal is not normalised: a radius is sqrt(3) times as long along it, or 7/4.
  */
 #include "build/build_tree.h"
 #include "math/arith.h"
@@ -22,12 +26,30 @@ void sph_bt_add(struct sph_bt_box *box, const int32_t ctr[3], int32_t rad, int k
     }
 }
 
-static void middle(const struct sph_bt_box *box, const struct sph_profile *p, int32_t ctr[3]) {
-    int64_t half = 1ll << (p->fw - 1);
-    for (int i = 0; i < 3; i++) {
-        int64_t f = sph_round((box->lo[i] + box->hi[i]) >> 1, p->w - p->fw);
-        ctr[i] = (int32_t)(f > half - 1 ? half - 1 : f < -half ? -half : f);
+enum { AXES = 3, ALONG = 7 };
+static const int along[ALONG][3] = {{1, 0, 0}, {0, 1, 0},  {0, 0, 1}, /* axes, then diagonals */
+                                    {1, 1, 1}, {1, 1, -1}, {1, -1, 1}, {-1, 1, 1}};
+
+/* A coordinate of 2^shift parts of a filter unit to one in filter units of the grid. */
+static int32_t to_unit(int64_t v, int shift, const struct sph_profile *p) {
+    int64_t half = 1ll << (p->fw - 1), f = sph_round(v, shift);
+    return (int32_t)(f > half - 1 ? half - 1 : f < -half ? -half : f);
+}
+
+/* The two ends of the extent of places first .. last, added. */
+static int64_t ends(const struct sph_bt_leaf *leaves, const uint32_t *order, uint32_t first,
+                    uint32_t last, int way) {
+    int64_t lo = INT64_MAX, hi = INT64_MIN;
+    for (uint32_t at = first; at <= last; at++) {
+        const struct sph_bt_leaf *leaf = &leaves[order[at]];
+        int64_t rad = leaf->rad, d = 0;
+        for (int i = 0; i < 3; i++)
+            d += along[way][i] * (int64_t)leaf->ctr[i];
+        if (way >= AXES) rad += (rad >> 1) + (rad >> 2);
+        if (d - rad < lo) lo = d - rad;
+        if (d + rad > hi) hi = d + rad;
     }
+    return lo + hi;
 }
 
 /* From a point in filter units to one in grid units, rounded up to these. */
@@ -46,10 +68,15 @@ void sph_bt_enclose(const struct sph_bt_leaf *leaves, const uint32_t *order, uin
                     uint32_t last, const struct sph_profile *p, struct sph_bt_ball *ball) {
     int k = p->w - p->fw, unused;
     int64_t half = 1ll << (p->fw - 1), most = 0;
-    struct sph_bt_box box = sph_bt_nothing();
-    for (uint32_t at = first; at <= last; at++)
-        sph_bt_add(&box, leaves[order[at]].ctr, leaves[order[at]].rad, 0);
-    middle(&box, p, ball->ctr);
+    int64_t sum[ALONG];
+    for (int way = 0; way < ALONG; way++)
+        sum[way] = ends(leaves, order, first, last, way);
+    for (int i = 0; i < 3; i++) {
+        int64_t sixteen = 4 * sum[i]; /* times the centre */
+        for (int way = AXES; way < ALONG; way++)
+            sixteen += along[way][i] * sum[way];
+        ball->ctr[i] = to_unit(sixteen, k + 4, p);
+    }
     for (uint32_t at = first; at <= last; at++) {
         const struct sph_bt_leaf *leaf = &leaves[order[at]];
         int64_t to[3] = {leaf->ctr[0], leaf->ctr[1], leaf->ctr[2]};
@@ -66,8 +93,8 @@ void sph_bt_on_box(const struct sph_bt_box *box, const struct sph_profile *p,
                    struct sph_bt_ball *ball) {
     int k = p->w - p->fw;
     int64_t corner[3];
-    middle(box, p, ball->ctr);
     for (int i = 0; i < 3; i++) {
+        ball->ctr[i] = to_unit((box->lo[i] + box->hi[i]) >> 1, k, p);
         int64_t c = ball->ctr[i] * (1ll << k);
         corner[i] = c - box->lo[i] > box->hi[i] - c ? box->lo[i] : box->hi[i];
     }

@@ -1,13 +1,13 @@
 /* build_tree.h - the tree that hardware builds                    RTL: rtl/build/rt_build.v
  * SPDX-License-Identifier: Apache-2.0
  *
- * Spheres are sorted along a curve, neighbours of that order are joined to a binary tree, and of
- * this, from the root down, nodes of four are made. Or they are sorted by z and merged by four. All
- * of it is integers, and bit for bit what rt_build does: docs/design/build_tree.md.
+ * Spheres are sorted along a curve, those that are near each other on it are joined to a binary
+ * tree, and of this, from the root down, nodes of four are made. Or they are sorted by z and merged
+ * by four. All of it is integers, and bit for bit what rt_build does: docs/design/build_tree.md.
  *
  *     order.c   keys of the centres, sorted
- *     chain.c   the binary tree: the two clusters are joined that each have the other as the nearer
- *               neighbour
+ *     join.c    the binary tree: two clusters are joined that have each other as the nearest; the
+ *               order is that of its leaves from then on
  *     nodes.c   nodes of four of it
  *     groups.c  nodes of four of the order by z, level by level
  *     bound.c   spheres around children
@@ -29,11 +29,11 @@ struct sph_bt_leaf {
     int32_t rad;    /* uW, above 0 */
 };
 
-/* Two neighbours that were joined. Number b is where they touch: the left one ends with place b of
- * the order, the right one begins with place b + 1. */
+/* Two clusters that were joined. Its number is the index of the last sphere of the left one. */
 struct sph_bt_pair {
     uint32_t left, right; /* numbers of the two; of a cluster of one sphere any */
-    uint32_t size;        /* of the box around both: the sum of its three edges, grid units */
+    uint32_t cut;         /* place of the tree's order that the left one ends with */
+    uint32_t size; /* the longest edge of the box around both, in units of 2^(W + 2 - SIDE) */
 };
 
 struct sph_bt_node {
@@ -61,8 +61,8 @@ struct sph_bt_box sph_bt_nothing(void);
 /* Makes a box hold a sphere, given in units of 2^k grid units. */
 void sph_bt_add(struct sph_bt_box *box, const int32_t ctr[3], int32_t rad, int k);
 
-/* The sphere around places first .. last of an order: in the middle of their box, with the smallest
- * radius that holds them all. One that is larger than that around the grid becomes it. */
+/* The sphere around places first .. last of an order, with the smallest radius around its centre
+ * that holds them all. One that is larger than that around the grid becomes it. */
 void sph_bt_enclose(const struct sph_bt_leaf *leaves, const uint32_t *order, uint32_t first,
                     uint32_t last, const struct sph_profile *profile, struct sph_bt_ball *ball);
 
@@ -76,10 +76,11 @@ void sph_bt_on_box(const struct sph_bt_box *box, const struct sph_profile *profi
 void sph_bt_order(const struct sph_bt_leaf *leaves, uint32_t n, int mode,
                   const struct sph_profile *profile, uint32_t *order, uint64_t *spare);
 
-/* The binary tree over that order: pairs[0 .. n-2]; returns the number of its root, 0 if there is
- * none. */
-uint32_t sph_bt_chain(const struct sph_bt_leaf *leaves, const uint32_t *order, uint32_t n,
-                      struct sph_bt_pair *pairs);
+/* A round. The binary tree: n - 1 of pairs[0 .. n-1] by their number, *root that of its root (if
+ * there is none, any), and in place of the order along which they are joined that of its leaves. -1
+ * if memory is out. */
+int sph_bt_join(const struct sph_bt_leaf *leaves, uint32_t n, const struct sph_profile *profile,
+                uint32_t *order, struct sph_bt_pair *pairs, uint32_t *root);
 
 /* Nodes of four in the order in which they are written, the root first; nodes: room for n, or for
  * one. Returns how many. */
@@ -103,9 +104,10 @@ struct sph_bt_kept {
 
 void sph_bt_forget(struct sph_bt_kept *kept);
 
-/* All of it. mode: one of SPH_BUILD_*; kept: of the build before, becomes that of this one, may be
+/* All of it. mode: one of SPH_BUILD_*; rounds: of joining along its own order that follow the first
+ * one, with SPH_BUILD_CURVE; kept: of the build before, becomes that of this one, may be
  * NULL. *nodes is malloc'd; -1 with a message if memory is out. */
-int sph_bt_tree(const struct sph_bt_leaf *leaves, uint32_t n, int mode,
+int sph_bt_tree(const struct sph_bt_leaf *leaves, uint32_t n, int mode, uint32_t rounds,
                 const struct sph_profile *profile, struct sph_bt_kept *kept,
                 struct sph_bt_node **nodes, uint32_t *n_nodes, struct sph_error *err);
 
@@ -121,6 +123,7 @@ struct sph_bt_job {
     uint32_t root;            /* line of the root: nodes and leaf records follow */
     uint32_t lines;           /* that they may take */
     int mode;                 /* SPH_BUILD_CURVE, _PAPER, _REFIT */
+    uint32_t rounds;          /* as sph_bt_tree() has it, 0 to 3 */
     struct sph_bt_kept *kept; /* what rt_build holds of the build before; NULL: nothing, ever */
 };
 

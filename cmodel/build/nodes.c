@@ -5,9 +5,8 @@
  * the one of the largest box is replaced by its own two halves. Inner children come first, each
  * kind in the order in which they were found; nodes are made depth first, the first child first.
  *
- * A child holds a run of places of the order, first to last. The sphere around it has the middle of
- * the box around its leaves as centre, rounded to filter units, and the smallest radius with which
- * it holds every leaf: it is made of the leaves alone, so no error adds up along the levels.
+ * A child holds a run of places of the order, first to last. The sphere around it is made of the
+ * leaves alone, so no error adds up along the levels.
  *
  * A node on level l of which more than 4^(STACK_DEPTH - l) spheres are below, so that a bad tree
  * would be too deep for the stack, is cut in halves of its run instead, and so is all below it.
@@ -42,9 +41,10 @@ static uint32_t size(const struct sph_bt_pair *pairs, const struct run *run) {
 static void halves(const struct sph_bt_pair *pairs, const struct run *run, struct run *left,
                    struct run *right) {
     struct run whole = *run;
-    uint32_t at = whole.even ? whole.first + (whole.last - whole.first) / 2 : whole.number;
-    *left = (struct run){whole.first, at, pairs[at].left, whole.even};
-    *right = (struct run){at + 1, whole.last, pairs[at].right, whole.even};
+    uint32_t at =
+        whole.even ? whole.first + (whole.last - whole.first) / 2 : pairs[whole.number].cut;
+    *left = (struct run){whole.first, at, pairs[whole.number].left, whole.even};
+    *right = (struct run){at + 1, whole.last, pairs[whole.number].right, whole.even};
 }
 
 /* The runs of a node's children; returns how many. */

@@ -10,8 +10,7 @@ int sph_bt_build(struct sph_bt_places *places, uint32_t *memory, const struct sp
     int at = places->valid && !places->newest;
     to.root = places->tree[at];
     *written = 0;
-    if (bus == SPH_BT_READ_ERROR && to.n && to.n <= most && to.lines >= sph_bt_lines(to.n))
-        return SPH_BT_BUS;
+    if (bus == SPH_BT_READ_ERROR && !sph_bt_refused(&to, most)) return SPH_BT_BUS;
     int wrong = sph_bt_words(memory, &to, most, profile, written, err);
     if (wrong) return wrong;
     if (bus == SPH_BT_WRITE_ERROR) return SPH_BT_BUS;

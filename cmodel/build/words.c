@@ -59,7 +59,7 @@ void sph_bt_forget(struct sph_bt_kept *kept) {
 }
 
 /* Order and binary tree. */
-static int plan(const struct sph_bt_leaf *leaves, uint32_t n, int mode,
+static int plan(const struct sph_bt_leaf *leaves, uint32_t n, int mode, uint32_t rounds,
                 const struct sph_profile *profile, struct sph_bt_kept *kept) {
     uint64_t *spare = malloc((2ull * n + 1) * sizeof *spare);
     kept->order = malloc((n + 1ull) * sizeof *kept->order);
@@ -68,15 +68,15 @@ static int plan(const struct sph_bt_leaf *leaves, uint32_t n, int mode,
     int made = spare && kept->order && kept->pairs;
     if (made) {
         sph_bt_order(leaves, n, mode, profile, kept->order, spare);
-        if (mode == SPH_BUILD_CURVE) kept->root = sph_bt_chain(leaves, kept->order, n, kept->pairs);
-    } else {
-        sph_bt_forget(kept);
+        for (uint32_t i = 0; mode == SPH_BUILD_CURVE && made && i <= rounds; i++)
+            made = !sph_bt_join(leaves, n, profile, kept->order, kept->pairs, &kept->root);
     }
+    if (!made) sph_bt_forget(kept);
     free(spare);
     return made;
 }
 
-int sph_bt_tree(const struct sph_bt_leaf *leaves, uint32_t n, int mode,
+int sph_bt_tree(const struct sph_bt_leaf *leaves, uint32_t n, int mode, uint32_t rounds,
                 const struct sph_profile *profile, struct sph_bt_kept *kept,
                 struct sph_bt_node **nodes, uint32_t *n_nodes, struct sph_error *err) {
     struct sph_bt_kept own = {0}, *it = kept ? kept : &own;
@@ -85,7 +85,7 @@ int sph_bt_tree(const struct sph_bt_leaf *leaves, uint32_t n, int mode,
     int made = balls && *nodes;
     if (made && mode != SPH_BUILD_REFIT) {
         sph_bt_forget(it);
-        made = plan(leaves, n, mode, profile, it);
+        made = plan(leaves, n, mode, rounds, profile, it);
     }
     if (made) {
         *n_nodes = it->mode == SPH_BUILD_PAPER
@@ -122,9 +122,9 @@ int sph_bt_words(uint32_t *memory, const struct sph_bt_job *job, uint32_t most,
         if (!read_leaf(memory + (size_t)(job->prim_base + id) * SPH_LINE_WORDS, id, profile,
                        &leaves[id]))
             wrong = SPH_BT_RECORD;
-    int failed = wrong
-                     ? wrong
-                     : sph_bt_tree(leaves, n, job->mode, profile, job->kept, &nodes, &n_nodes, err);
+    int failed = wrong ? wrong
+                       : sph_bt_tree(leaves, n, job->mode, job->rounds, profile, job->kept, &nodes,
+                                     &n_nodes, err);
     if (!failed) {
         const struct sph_bt_node *end = &nodes[n_nodes - 1];
         for (uint32_t i = 0; i < n_nodes; i++)

@@ -240,6 +240,7 @@ static int build(const struct sph_scene *scene, const struct sph_build_options *
     struct sph_plants plants = {balls, n, facets, profile, grid.eye, o->tree, &rays};
     if (sph_progress_at(o->progress, GRID)) return sph_fail(err, "%s: cancelled", scene->path);
     tree->grows = o->paper_grows;
+    tree->rounds = o->hw_rounds;
     tree->progress = sph_progress_part(o->progress, GRID, TREE);
     if (sph_emit_tree(scene, o, &plants, tree, m, report, err)) return -1;
     if (sph_progress_at(o->progress, TREE)) return sph_fail(err, "%s: cancelled", scene->path);

@@ -43,6 +43,7 @@ struct sph_build_options {
     int bih;                          /* SPH_BIH_FULL, SPH_BIH_LISTING */
     uint32_t bih_fit;                 /* percent, as sph_bih_options has it; 0: 130 */
     int paper_grows;                  /* SPH_TREE_PAPER: nodes may be larger than the whole */
+    uint32_t hw_rounds;               /* SPH_TREE_HW: of joining that follow the first, 0 to 3 */
     int axes;                         /* SPH_AXES_*: of the grid; auto: axes.h */
     int background;                   /* SPH_BG_* */
     int width, height;                /* 0: the scene file's */

@@ -207,10 +207,11 @@ static int put_tree(struct sph_machine *m, struct content *c, struct sph_error *
 }
 
 /* Nodes and leaf records as rt_build makes them of the primitive records. */
-static int put_built(struct sph_machine *m, const struct sph_profile *p, struct sph_error *err) {
+static int put_built(struct sph_machine *m, uint32_t rounds, const struct sph_profile *p,
+                     struct sph_error *err) {
     uint32_t n = (uint32_t)m->regs[SPH_REG_N_PRIMS], written;
     struct sph_bt_job job = {
-        n, (uint32_t)m->regs[SPH_REG_PRIM_BASE], 0, UINT32_MAX, SPH_BUILD_CURVE, NULL};
+        n, (uint32_t)m->regs[SPH_REG_PRIM_BASE], 0, UINT32_MAX, SPH_BUILD_CURVE, rounds, NULL};
     int reasons = sph_bt_words(m->mem, &job, n, p, &written, err);
     if (reasons <= 0) return reasons;
     return sph_fail(err, "a radius is not within 1 .. 2^%d - 1", p->w);
@@ -227,7 +228,7 @@ int sph_emit_memory(const struct sph_scene *scene, const struct sph_plants *plan
         (!hardware && put_tree(machine, &c, err)))
         return -1;
     sph_emit_prims(scene, plants->balls, facets, (uint32_t)base, tree->n_nodes, machine);
-    return hardware ? put_built(machine, plants->profile, err) : 0;
+    return hardware ? put_built(machine, tree->rounds, plants->profile, err) : 0;
 }
 
 int sph_emit_again(const struct sph_scene *scene, const struct sph_plants *plants,

@@ -20,3 +20,7 @@ int sph_fail(struct sph_error *err, const char *format, ...) {
     }
     return -1;
 }
+
+int sph_error_memory(const struct sph_error *err) {
+    return strstr(err->text, "no memory") || strstr(err->text, "out of memory");
+}

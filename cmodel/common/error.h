@@ -14,4 +14,8 @@ struct sph_error {
  * said, ends of lines become blanks and other control characters `?`: a message is one line. */
 int sph_fail(struct sph_error *err, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
+/* Whether the message says that there is no memory: what failed may do with more, and what else is
+ * tried in its place would be another answer. */
+int sph_error_memory(const struct sph_error *err);
+
 #endif

@@ -65,7 +65,8 @@
 #define SPH_BUILD_REFIT 2
 #define SPH_BUILD_AXIS 8
 #define SPH_BUILD_DIGIT 6
-#define SPH_BUILD_STACK 32
+#define SPH_BUILD_SIDE 12
+#define SPH_BUILD_WINDOW 8
 #define SPH_FRAMES 3
 #define SPH_SPHERE 0
 #define SPH_TRIANGLE 1

@@ -17,16 +17,16 @@ static void shorten(char *path) {
     *cut = 0;
 }
 
-/* The part of a path that is there, without links; NULL if memory is short. */
-static char *real_part(const char *path) {
-    char *part = strdup(path), *real = NULL;
-    while (part && !real) {
-        real = realpath(*part ? part : ".", NULL);
-        if (!real && !*part) break;
-        if (!real) shorten(part);
+/* The part of a path that is there, without links. -1: the path is too long, or no folder is. */
+static int real_part(const char *path, char real[PATH_MAX]) {
+    char part[PATH_MAX];
+    int n = snprintf(part, sizeof part, "%s", path);
+    if (n < 0 || n >= PATH_MAX) return -1;
+    while (!realpath(*part ? part : ".", real)) {
+        if (!*part) return -1;
+        shorten(part);
     }
-    free(part);
-    return real;
+    return 0;
 }
 
 /* Whether a path without links is a folder, or lies in or below it. */
@@ -37,18 +37,14 @@ static int below(const char *path, const char *folder, size_t length) {
 
 int sph_scene_may_read(const struct sph_scene *scene, const char *path) {
     static const char beside[] = "TextureFiles";
-    char folder[sizeof scene->path], images[PATH_MAX + sizeof beside];
+    char folder[sizeof scene->path], own[PATH_MAX], real[PATH_MAX],
+        images[PATH_MAX + sizeof beside];
     if (scene->allow_paths) return 1;
     const char *slash = strrchr(scene->path, '/');
     snprintf(folder, sizeof folder, "%.*s", slash ? (int)(slash - scene->path) + 1 : 1,
              slash ? scene->path : ".");
-    char *own = realpath(folder, NULL), *real = real_part(path);
-    int may = own && real && below(real, own, strlen(own));
-    if (own && real && !may && scene->aff) {
-        snprintf(images, sizeof images, "%.*s%s", (int)(strrchr(own, '/') - own) + 1, own, beside);
-        may = below(real, images, strlen(images));
-    }
-    free(own);
-    free(real);
-    return may;
+    if (!realpath(folder, own) || real_part(path, real)) return 0;
+    if (below(real, own, strlen(own))) return 1;
+    snprintf(images, sizeof images, "%.*s%s", (int)(strrchr(own, '/') - own) + 1, own, beside);
+    return scene->aff && below(real, images, strlen(images));
 }

@@ -72,14 +72,13 @@ static int build(const struct sph_scene *given, struct sph_api_build *b, struct 
     if (sph_api_frame(given, b, scene, err)) return -1;
     if (b->o.texture != SPH_OFF && sph_mips_load(scene, &mips, err)) return -1;
     b->o.mips = mips;
-    sph_measure_trees(scene, &b->o, NULL, 0);
+    rc = sph_measure_trees(scene, &b->o, NULL, 0, err);
     b->o.kept = kept;
-    if (b->met)
-        rc = sph_build_met(scene, &b->o, any, &b->bound, &choice, &to->machine, report, err);
-    else if (any)
-        rc = sph_build_kept(scene, &b->o, 1, &b->bound, &choice, &to->machine, report, err);
-    else
-        rc = sph_build(scene, &b->o, &to->machine, report, err);
+    if (!rc)
+        rc = b->met
+                 ? sph_build_met(scene, &b->o, any, &b->bound, &choice, &to->machine, report, err)
+             : any ? sph_build_kept(scene, &b->o, 1, &b->bound, &choice, &to->machine, report, err)
+                   : sph_build(scene, &b->o, &to->machine, report, err);
     sph_mips_free(mips, scene->n_textures);
     if (rc) return -1;
     if (b->told.end) {

@@ -169,7 +169,8 @@ typedef struct sphaera_build_options {
     double
         error_pixels;   /* "auto" keeps: what the eye sees is off by at most, 1e-9..1e9; 0: 0.125 */
     double error_psnr;  /* and dB of the picture, up to 99; 0: 45 */
-    const char *tree;   /* of bvh4: "reinserted", "balanced", "paper", "paper-grown", "hw" */
+    const char *tree;   /* of bvh4: "reinserted", "balanced", "paper", "paper-grown", "hw", "hw1",
+                           "hw2" */
     const char *axes;   /* of the grid: "auto", "camera", "scene" */
     const char *bih;    /* "full", "listing" */
     uint32_t max_prims; /* bih: a leaf of no more is not cut; 0: 4; SPHAERA_INFINITY */

@@ -10,6 +10,9 @@
 /* The head that every report starts with. */
 json_t *report_new(const char *command);
 
+/* Whether something of a report has found no memory since the first report_new(). */
+int report_lost(void);
+
 /* Each adds one member, or nothing if report is NULL; a value that is NULL becomes null. */
 void report_add(json_t *report, const char *name, json_t *value);
 void report_text(json_t *report, const char *name, const char *text);

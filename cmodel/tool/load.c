@@ -78,7 +78,7 @@ int tool_build_scene(const struct tool_source *source, const struct sph_scene *s
     o.mips = mips;
     if (tool_frame_size(source, scene, &o, err)) return -1;
     char tree_why[SPH_TREE_WHY];
-    sph_measure_trees(scene, &o, tree_why, sizeof tree_why);
+    if (sph_measure_trees(scene, &o, tree_why, sizeof tree_why, err)) return -1;
     int (*build)(const struct sph_scene *, struct sph_build_options *, int,
                  const struct sph_error_bound *, struct sph_profile_choice *, struct sph_machine *,
                  struct sph_build_report *, struct sph_error *) =

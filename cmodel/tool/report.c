@@ -193,7 +193,9 @@ int report_write(json_t *report, const char *path, struct sph_error *err) {
         if (!rc) {
             int bad = json_dumpf(report, out.file, JSON_INDENT(2) | JSON_REAL_PRECISION(17));
             if (!bad) fputc('\n', out.file);
-            rc = sph_output_close(&out, 0, err);
+            int lost = report_lost() || (bad && !ferror(out.file));
+            rc = sph_output_close(&out, lost, err);
+            if (lost) sph_fail(err, "%s: no memory for the report", path);
         }
     }
     json_decref(report);

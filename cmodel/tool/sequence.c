@@ -156,9 +156,10 @@ static int census(struct run *run, const struct tool_frames *frames, struct sph_
         sph_machine_free(&built.machine);
         run->options.later = 1;
     }
-    err->text[0] = 0;
     free(run->options.numbers);
     run->options = options;
+    if (sph_error_memory(err)) return -1;
+    err->text[0] = 0;
     if (run->met.prims) run->options.unmet = sph_census_unmet(&run->met, &run->rest, &run->options);
     return 0;
 }

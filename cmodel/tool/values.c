@@ -3,6 +3,7 @@
  */
 #include <errno.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "common/number.h"
@@ -133,5 +134,8 @@ void tool_parse(const struct argp *argp, int argc, char **argv, unsigned flags, 
         children[n++] = *child;
     children[n].argp = &refused;
     whole.children = children;
-    argp_parse(&whole, argc, argv, flags, NULL, input);
+    error_t wrong = argp_parse(&whole, argc, argv, flags, NULL, input);
+    if (!wrong) return;
+    fprintf(stderr, "%s: %s\n", argv[0], strerror(wrong));
+    exit(TOOL_FAILED);
 }

@@ -51,6 +51,10 @@ static int measure(const struct sph_scene *scene, const struct sph_build_options
             return sph_fail(err, "%s: cancelled", scene->path);
         }
         of->measured = sph_judge_widths(&judge, &sph_profiles[p], last ? 0 : bound->psnr);
+        if (of->measured.memory) {
+            sph_judge_end(&judge);
+            return sph_fail(err, "%s: no memory for a trial", scene->path);
+        }
         kept = of->measured.pixels && sph_picture_keeps(of, bound);
     }
     sph_judge_end(&judge);
@@ -81,20 +85,19 @@ int sph_choose(const struct sph_scene *scene, struct sph_build_options *o,
 
 /* ---- the tree ---- */
 
-/* Clocks a pixel in a tree, and cells of its core; 0, or -1 if one is not known. */
+/* Clocks a pixel in a tree, and cells of its core; 0, or -1 if one is not known; *err says why. */
 static int cost_of(const struct sph_scene *scene, const struct sph_build_options *o, int tree,
-                   double *clocks, int *cells) {
+                   double *clocks, int *cells, struct sph_error *err) {
     enum { PIXELS = 1 << 12 };
     struct sph_build_options mine = *o;
     struct sph_build_report report;
     struct sph_machine m;
-    struct sph_error err;
     char core[256];
     struct sph_progress quiet = sph_progress_part(o->progress, 0, 0);
     mine.progress = &quiet;
     mine.tree = tree;
     mine.numbers = NULL;
-    if (sph_build(scene, &mine, &m, &report, &err)) return -1;
+    if (sph_build(scene, &mine, &m, &report, err)) return -1;
     const struct sph_core_sizes sizes = sph_core_sizes_of(&m);
     *clocks = sph_cycles_expect(&m, &sizes, PIXELS, 0).pixel;
     sph_machine_core(&m, core, sizeof core);
@@ -103,20 +106,23 @@ static int cost_of(const struct sph_scene *scene, const struct sph_build_options
     return *clocks > 0 && *cells ? 0 : -1;
 }
 
-void sph_measure_trees(const struct sph_scene *scene, struct sph_build_options *o, char *why,
-                       size_t size) {
+int sph_measure_trees(const struct sph_scene *scene, struct sph_build_options *o, char *why,
+                      size_t size, struct sph_error *err) {
     static const int trees[] = {SPH_TREE_REINSERTED, SPH_TREE_BOX4};
     const double keep = 0.75; /* of the cost of the tree by rule */
     uint64_t n = (uint64_t)scene->n_spheres + scene->n_facets;
     double clocks[2];
     int cells[2], rule = sph_tree_of(scene, o) == SPH_TREE_BOX4;
     if (why) why[0] = 0;
-    if (o->tree != SPH_TREE_AUTO || o->traverse != SPH_BUILD_NEAREST) return;
-    if (!n || n > SPH_TREES_PRIMS) return;
+    if (o->tree != SPH_TREE_AUTO || o->traverse != SPH_BUILD_NEAREST) return 0;
+    if (!n || n > SPH_TREES_PRIMS) return 0;
     for (uint32_t i = 0; i < scene->n_facets; i++)
-        if (sph_kind_unbounded((uint32_t)scene->facets[i].kind)) return;
-    for (int i = 0; i < 2; i++)
-        if (cost_of(scene, o, trees[i], &clocks[i], &cells[i])) return;
+        if (sph_kind_unbounded((uint32_t)scene->facets[i].kind)) return 0;
+    for (int i = 0; i < 2; i++) {
+        struct sph_error unknown = {""};
+        if (cost_of(scene, o, trees[i], &clocks[i], &cells[i], &unknown))
+            return sph_error_memory(&unknown) ? sph_fail(err, "%s", unknown.text) : 0;
+    }
     double cost[2] = {clocks[0] * cells[0], clocks[1] * cells[1]};
     int taken = cost[!rule] < keep * cost[rule] ? !rule : rule;
     o->tree = trees[taken];
@@ -124,6 +130,7 @@ void sph_measure_trees(const struct sph_scene *scene, struct sph_build_options *
         snprintf(why, size,
                  "%.4g clocks a pixel in spheres, %.4g in boxes, whose core has %.2f cells",
                  clocks[0], clocks[1], (double)cells[1] / cells[0]);
+    return 0;
 }
 
 int sph_build_chosen(const struct sph_scene *scene, struct sph_build_options *o, int choose,
@@ -133,7 +140,7 @@ int sph_build_chosen(const struct sph_scene *scene, struct sph_build_options *o,
     if (!choose) *choice = (struct sph_profile_choice){.taken = SPH_PROFILES};
     if (choose && sph_choose(scene, o, bound, choice, err)) return -1;
     int rc = sph_build(scene, o, machine, report, err);
-    while (rc && choose && o->profile + 1 < SPH_PROFILES) {
+    while (rc && !sph_error_memory(err) && choose && o->profile + 1 < SPH_PROFILES) {
         choice->taken = ++o->profile;
         err->text[0] = 0;
         rc = sph_build(scene, o, machine, report, err);

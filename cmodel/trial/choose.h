@@ -33,9 +33,10 @@ void sph_choose_why(const struct sph_profile_choice *choice, const struct sph_er
  * asks for (known.h). That of sph_tree_of() stays if the other does not cost a quarter less. *why
  * says so, one line without its end. Scenes of more than SPH_TREES_PRIMS primitives, or with
  * planes, whose clocks in boxes the counters do not tell, machines that cannot be built and cores
- * of unknown cells are left to sph_build(), and *why is empty. why: NULL if nobody asks. */
-void sph_measure_trees(const struct sph_scene *scene, struct sph_build_options *options, char *why,
-                       size_t size);
+ * of unknown cells are left to sph_build(), and *why is empty. why: NULL if nobody asks. 0, or -1
+ * with a message if memory is short. */
+int sph_measure_trees(const struct sph_scene *scene, struct sph_build_options *options, char *why,
+                      size_t size, struct sph_error *err);
 
 enum { SPH_TREES_PRIMS = 4096 };
 

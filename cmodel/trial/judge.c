@@ -101,6 +101,7 @@ struct sph_measured sph_judge_widths(const struct sph_judge *judge,
     o.widths = widths;
     if (!report || sph_build(&judge->scene, &o, &m, report, &why)) {
         free(report);
+        found.memory = !report || sph_error_memory(&why);
         return found;
     }
     struct sph_squares sum = {0};
@@ -128,7 +129,7 @@ int sph_judge_once(const struct sph_scene *scene, const struct sph_build_options
     if (sph_judge_begin(scene, o, &judge, err)) return -1;
     *measured = sph_judge_widths(&judge, widths, 0);
     sph_judge_end(&judge);
-    return 0;
+    return measured->memory ? sph_fail(err, "%s: no memory for a trial", scene->path) : 0;
 }
 
 /* ---- in words ---- */

@@ -17,6 +17,7 @@ enum { SPH_JUDGE_PIXELS = 1 << 19, SPH_JUDGE_PRIMS = 1 << 17 };
 struct sph_measured {
     uint64_t pixels, of; /* compared, of the frame's; pixels 0: it was not measured, or cannot be
                             built */
+    int memory;          /* it was not measured because memory is short */
     int left;            /* the bound is missed: some were not drawn, and psnr is what it is at
                             most */
     double psnr;         /* dB of the deepest colours */

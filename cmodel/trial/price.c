@@ -73,11 +73,13 @@ static int measure(const struct job *j, const struct sph_profile *profile, int t
     o.widths = &r->profile;
     o.tree = tree;
     o.progress = &j->row;
-    sph_measure_trees(j->yardstick.scene, &o, NULL, 0);
-    if (sph_estimate(j->yardstick.scene, &o, &r->profile, 1, &r->expected, err)) return -1;
+    if (sph_measure_trees(j->yardstick.scene, &o, NULL, 0, err) ||
+        sph_estimate(j->yardstick.scene, &o, &r->profile, 1, &r->expected, err))
+        return -1;
     r->built = !(j->o->met ? measure_met(j, &o, &t, &r->expected, &why)
                            : sph_trial_measure(&j->yardstick, &o, j->o->threads, &t, &why));
     if (!r->built) {
+        if (sph_error_memory(&why)) return sph_fail(err, "%s", why.text);
         snprintf(r->why, sizeof r->why, "%s", why.text);
         return 0;
     }

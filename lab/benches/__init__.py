@@ -53,6 +53,7 @@ class Built:
         os.makedirs(made)
         shell(["verilator", "--cc", "--top-module", self.outer, "--prefix", "V" + self.outer,
                "-O3", "--x-initial", "unique", "-Mdir", made, *verilate], log)
+        self.verilated(made)
         with open(f"{made}/all.cpp", "w", encoding="utf-8") as f:
             f.write(begin)
             f.flush()
@@ -61,6 +62,9 @@ class Built:
         shell(compiler + [*macros, "-w", "-isystem", made, "-MD", "-MF",
                           f"{made}/all.d", "-c", f"{made}/all.cpp", "-o", f"{made}/all.o"], log)
         return self.link(folder, objects, libraries)
+
+    def verilated(self, made):
+        """What is done to the C++ that Verilator wrote."""
 
     def link(self, folder, objects, libraries):
         program = f"{folder}/made/bench"

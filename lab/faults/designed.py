@@ -25,7 +25,7 @@ from .. import intact
 from ..benches import Broken, folders, text_of
 from ..pages import place
 from . import records, selected, suites
-from .drawn import benches, binary, plan
+from .drawn import benches, binary, boards, plan
 
 LISTS = "tests/faults/designed/*.txt"
 PATIENCE, SLACK, LONGEST = 2.0, 3.0, 60     # a fault may take so many times the sound one, and more
@@ -68,12 +68,18 @@ class Whole(Selecting):
 
     def __init__(self, *words):
         super().__init__(*words)
-        self.folder = f"{self.build}/designed/{self.name.replace('/', '-')}"
+        was, self.folder = self.folder, f"{self.build}/designed/{self.name.replace('/', '-')}"
+        for words in (*self.runs, *self.parameters):
+            words[:] = [str(word).replace(was, self.folder) for word in words]
 
     def make(self, texts):
         self.here = self.edited(texts)
         os.makedirs(self.folder, exist_ok=True)
+        self.prepare()
         return super().make(None)
+
+    def prepare(self):
+        """What must be there before the RTL is read."""
 
     def compiled(self, verilog, harness, macros, objects, libraries, more=()):
         return self.compile(self.folder, [*self.verilate(self.here), *more], harness, macros,
@@ -89,9 +95,24 @@ class Core(Whole, benches.Core):
 class Top(Whole, benches.Shell):
     seen = ("+define+TOP_VIEW", "-Iformal", "tb/top/rt_top_rules.sv")
 
+    def __init__(self, build, layers=0):
+        super().__init__(build)
+        self.parameters.append(f"LAYERS={layers}".split("="))
+        self.name += "-layers" * layers
+        self.folder += "-layers" * layers
+
     @staticmethod
     def source():
         return "tb/top/tb_shell.cpp"
+
+
+class Board(Whole, boards.RamBoard):
+    def prepare(self):
+        boards.RamBoard.prepare(self)
+
+    @staticmethod
+    def source():
+        return "tb/board/tb_ulx3s_ram.cpp"
 
 
 def digest(source):
@@ -194,9 +215,13 @@ def at_bench(kept, line, faults):
 
 
 def whole(name, build):
-    """What stands for the bench of a module that none above has one: its core, or rt_top."""
+    """What stands for the bench of a module that none above has one: core, rt_top, a board."""
     folder = glob.glob(f"rtl/*/{name}.v")[0].split("/")[1]
-    return Top(build) if folder in ("top", "bus", "video") else Core(benches.CORES[0], build)
+    if folder in ("top", "bus", "video"):
+        return [Top(build), Top(build, 1)]
+    if folder == "board":
+        return [Board(build)]
+    return [Core(benches.CORES[0], build)]
 
 
 def rtl(kept, found, build, others):
@@ -218,8 +243,8 @@ def rtl(kept, found, build, others):
     last = {}
     for names, faults in homes.items():
         for record in faults if others or not names else ():
-            at = whole(module(record), build)
-            last.setdefault(at.name, (at, []))[1].append(record)
+            for at in whole(module(record), build)[:MOST]:
+                last.setdefault(at.name, (at, []))[1].append(record)
     for at, faults in last.values():
         at_bench(kept, at, faults)
 
@@ -245,33 +270,33 @@ def programs(kept, found, picked, build):
                 kept.add(record, name, verdict, time.monotonic() - began, suite)
 
 
-HEAD = ["faults", "noticed by the nearest", "by others", "equivalent", "left", "noticed, %",
-        "by the nearest, %"]
+HEAD = ["faults", "noticed by the nearest", "by others", "equivalent", "left", "not tried",
+        "noticed, %", "by the nearest, %"]
 
 
 def verdicts(kept, found, build):
-    """{record: (verdict, judge)}: nearest, others, equivalent, left, or not tried."""
+    """[(record, verdict, judge)]: nearest, others, equivalent, left, or not tried."""
     lines = {line.name: line.top for line in benches.benches.every(build, Selected)}
     tops, above = set(lines.values()), plan.parents()
-    told = {}
+    told = []
     for record in found:
         killed = [row[0] for row in kept.of(record) if row[1] not in ("survived", "broken")]
         if not killed:
-            told[record] = ("equivalent" if record.same else "left" if kept.of(record) else
-                            "not tried"), ""
+            told.append((record, "equivalent" if record.same else
+                         "left" if kept.of(record) else "not tried", ""))
             continue
         close = killed[0].startswith("near ")
         if record.edits[0].side == "rtl":
             names = near(module(record), tops, above)
             close = lines.get(killed[0]) in names if names else killed[0] not in lines
-        told[record] = "nearest" if close else "others", killed[0].removeprefix("near ")
+        told.append((record, "nearest" if close else "others", killed[0].removeprefix("near ")))
     return told
 
 
 def row(name, count):
     alive = count["nearest"] + count["others"] + count["left"]
     return [name, str(sum(count.values())), *(str(count[word]) for word in (
-        "nearest", "others", "equivalent", "left")), *(
+        "nearest", "others", "equivalent", "left", "not tried")), *(
             f"{100 * part / max(1, alive):.1f}" for part in (
                 count["nearest"] + count["others"], count["nearest"]))]
 
@@ -280,7 +305,7 @@ def tell(kept, found, build):
     """The tables of the page."""
     told = verdicts(kept, found, build)
     by = collections.defaultdict(collections.Counter)
-    for record, (verdict, _) in told.items():
+    for record, verdict, _ in told:
         edit = record.edits[0]
         folder = "/".join(edit.path.split("/")[:2]) if edit.side in ("rtl", "model") else edit.side
         by[folder][verdict] += 1
@@ -289,8 +314,8 @@ def tell(kept, found, build):
                      row("**all**", sum(by.values(), collections.Counter()))],
         "designed_faults": [["fault", "file", "verdict", "by"], *(
             [record.name, record.edits[0].path, verdict, judge or record.same or "-"]
-            for record, (verdict, judge) in told.items())]})
-    print(*(f"{record.name}: {verdict}" for record, (verdict, _) in told.items()
+            for record, verdict, judge in told)]})
+    print(*(f"{record.name}: {verdict}" for record, verdict, _ in told
             if verdict in ("left", "not tried") or record.same and verdict != "equivalent"),
           sep="\n")
 

@@ -9,8 +9,8 @@ from .records import place
 
 HEAD = """
     import "DPI-C" function int mutant_number();
-    reg [31:0] rt_fault;
-    initial rt_fault = mutant_number();
+    reg [31:0] chosen_fault;
+    initial chosen_fault = mutant_number();
 """
 WORD = re.compile(r"\s*([A-Za-z_]\w*|.)", re.S)
 
@@ -96,10 +96,10 @@ def chosen(kind, front, texts, mark):
         return re.sub(r"\b(begin\s*:\s*\w+)", rf"\1_{number}", body)
     other = sorted(texts, reverse=True)[:-1]
     if kind == "statement":
-        return " begin " + " ".join(f"if (rt_fault == {n}) begin {named(n, texts[n])} end else"
+        return " begin " + " ".join(f"if (chosen_fault == {n}) begin {named(n, texts[n])} end else"
                                     for n in other) + f" begin {texts[0]} end end"
     if kind == "port":
-        return "".join(f"rt_fault == {n} ? ({texts[n]}) : " for n in other) + f"({texts[0]})"
+        return "".join(f"chosen_fault == {n} ? ({texts[n]}) : " for n in other) + f"({texts[0]})"
     front = front.strip()
     head = f"wire {front}" if kind == "wire" else f"wire [$bits({front})-1:0] selected"
     name = re.search(r"\w+$", head)
@@ -109,7 +109,7 @@ def chosen(kind, front, texts, mark):
     made = "".join(f"{head[:name.start()]}{value(n)} ={texts[n].partition('=')[2]} "
                    for n in texts)
     return made + f"{kind} {front} = " + "".join(
-        f"rt_fault == {n} ? {value(n)} : " for n in other) + f"{value(0)};"
+        f"chosen_fault == {n} ? {value(n)} : " for n in other) + f"{value(0)};"
 
 
 def apart(text, code_of, edits):

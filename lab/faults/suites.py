@@ -3,9 +3,11 @@
 """A clone of the tree has all faults of C in it: a function's body stands there once more for each
 edit, and the number in RT_FAULT selects one. A fault of Python is written into the clone while it
 is tried."""
+import filecmp
 import glob
 import os
 import re
+import shutil
 import subprocess
 
 from .. import intact
@@ -90,8 +92,14 @@ class Tree:
                 if edit.path.endswith(".c"):
                     by_file.setdefault(edit.path, {}).setdefault(
                         self.number[record.name], []).append(edit)
-        for path, faults in by_file.items():
-            self.put(path, made(text_of(path), faults))
+        for path in subprocess.run(["git", "ls-files"], check=True, text=True,
+                                   stdout=subprocess.PIPE).stdout.split("\n"):
+            there = f"{self.folder}/{path}"
+            if path in by_file:
+                self.put(path, made(text_of(path), by_file[path]))
+            elif os.path.isfile(path) and not (os.path.exists(there) and filecmp.cmp(path, there)):
+                os.makedirs(os.path.dirname(there), exist_ok=True)
+                shutil.copy(path, there)
 
     def put(self, path, text):
         name = f"{self.folder}/{path}"

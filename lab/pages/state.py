@@ -31,8 +31,13 @@ def proofs():
 def measured(name, column, key="module"):
     """{module: cell} of a table of verification.md."""
     head, rows = data.read(f"verification.{name}")
-    at = column if isinstance(column, int) else head.index(column)
+    at = column(head) if callable(column) else head.index(column)
     return {row[head.index(key)].strip("`"): row[at] for row in rows}
+
+
+def behind(word):
+    """The column behind the one whose head begins with the word: of its per cent."""
+    return lambda head: next(i for i, name in enumerate(head) if name.startswith(word)) + 1
 
 
 def alone():
@@ -69,7 +74,7 @@ def cells():
     """The rows of the table, a list of cells each."""
     has, proved, budget = blocks.benches(), proofs(), alone()
     killed, left = measured("modules", "killed, %"), measured("modules", "left")
-    drawn, branches = measured("modules", "faults"), measured("coverage", 3)
+    drawn, branches = measured("modules", "faults"), measured("coverage", behind("branches"))
     record = json.loads(cores.RECORD.read_text(encoding="utf-8"))
     synthesised = {m for core in record.values() for m in core["modules"]} | {"rt_top"}
     rows = []

@@ -1,6 +1,6 @@
 // rt_build.v - builds the tree of a scene of spheres: primitive records to nodes and leaf records
 // SPDX-License-Identifier: Apache-2.0
-//   records --> keys --> rt_build_sort --> rt_build_chain --> rt_build_nodes --> rt_build_bound
+//   records --> keys --> rt_build_sort --> rt_build_join -->  rt_build_nodes --> rt_build_bound
 //                              `--> rt_build_groups --^                              v
 //                                                                          nodes, leaf records
 // One phase after another, but nodes, their spheres and writing, which go on together. Nothing is
@@ -22,6 +22,7 @@ module rt_build #(
     // what is wanted; stays as it is while busy_o is high
     input  wire          start_i,            // while busy_o is low
     input  wire [1:0]    mode_i,             // RT_BUILD_CURVE, _PAPER, _REFIT
+    input  wire [1:0]    rounds_i,           // of CURVE: rounds of joining that follow the first
     input  wire [`RT_ID_BITS-1:0] count_i,   // spheres
     input  wire [`RT_LINE_BITS-1:0] prim_base_i, // line of the record of sphere 0
     input  wire [`RT_LINE_BITS-1:0] root_i,  // line of the root, nodes and leaf records follow
@@ -48,7 +49,7 @@ module rt_build #(
 );
     localparam AB   = $clog2(COUNT);
     localparam LB   = AB + 2;                // bits of a line, from the root's
-    localparam SW   = W + 4;                 // bits of a size
+    localparam SW   = AB > `RT_BUILD_SIDE ? AB : `RT_BUILD_SIDE; // bits of a size
     localparam ADDR = `RT_LINE_BITS;
     localparam AXIS = `RT_BUILD_AXIS;
     `RT_CHECK(W >= 8 && W <= 24, rt_build_W_must_be_8_to_24)
@@ -57,7 +58,7 @@ module rt_build #(
               rt_build_COUNT_must_be_a_power_of_two_of_16_to_65536)
 
     localparam [2:0] IDLE = 3'd0, READ = 3'd1, SCALE = 3'd2, KEYS = 3'd3, SORT = 3'd4,
-                     CHAIN = 3'd5, NODES = 3'd6, END = 3'd7;
+                     JOIN = 3'd5, NODES = 3'd6, END = 3'd7;
     reg  [2:0]    state_q;
     wire          reading = state_q == READ;
     wire          keying  = state_q == KEYS;
@@ -132,17 +133,22 @@ module rt_build #(
     wire          key_read = keying && sort_ready && at_q != count;
     wire [AB-1:0] id_a, id_b;
     reg  [AB-1:0] id_b_q;
-    wire          chain_read, a_read, b_read;
-    wire [AB-1:0] chain_place, a_place, b_place;
+    wire          join_read, a_read, b_read;
+    wire [AB-1:0] join_place, a_place, b_place;
+    reg  [AB:0]   copy_q;                    // places of which there is no copy yet
+    wire          link, walk;
+    wire [AB-1:0] link_from, link_to, walk_place, walk_id;
     rt_build_sort #(.AB(AB)) u_sort (
         .clk(clk), .rst(rst),
         .clear_i(start_i && !busy_o && !refit), .ready_o(sort_ready),
         .key_valid_i(key_q[1]), .key_i(key), .sort_i(state_q == SORT), .count_i(count),
         .done_o(sorted),
-        .a_en_i(chain_read || a_read), .a_copy_i(chain_read || (paper_q && low)),
-        .a_place_i(chain_read ? chain_place : a_place),
+        .a_en_i(join_read || a_read), .a_copy_i(paper_q ? low : a_read && |copy_q),
+        .a_place_i(join_read ? join_place : a_place),
         .a_id_o(id_a),
-        .b_en_i(b_read), .b_place_i(b_place), .b_id_o(id_b)
+        .b_en_i(b_read || walk), .b_place_i(walk ? walk_id : b_place), .b_id_o(id_b),
+        .link_i(link), .link_from_i(link_from), .link_to_i(link_to),
+        .put_i(walk), .put_place_i(walk_place), .put_id_i(walk_id)
     );
     wire [4*W:0]  leaf_in = {record_q[`RT_LEAF_CLEAR_LSB], rad[W-1:0], ctr};
     rt_slot_ram #(.WIDTH(4*W + 1), .SLOTS(COUNT), .OLD(0)) u_leaves_a (
@@ -165,19 +171,27 @@ module rt_build #(
     );
 
     // ---- binary tree ----
-    reg           chain_start_q;
-    wire          chained, pair_put, pair_read;
+    reg           join_start_q;
+    wire          joined, pair_put, pair_read;
     wire [AB-1:0] pair_to, pair_at, root;
     wire [2*AB+SW-1:0] pair_in, pair;
-    rt_build_chain #(.W(W), .AB(AB)) u_chain (
+    wire [AB-1:0] cut;
+    rt_build_join #(.W(W), .AB(AB), .SW(SW)) u_join (
         .clk(clk), .rst(rst),
-        .start_i(chain_start_q), .count_i(count), .done_o(chained), .root_o(root),
-        .read_o(chain_read), .place_o(chain_place), .leaf_i(leaf_a[4*W-1:0]),
-        .pair_o(pair_put), .number_o(pair_to), .pair_data_o(pair_in)
+        .start_i(join_start_q), .count_i(count), .rounds_i(rounds_i),
+        .done_o(joined), .root_o(root),
+        .read_o(join_read), .place_o(join_place), .id_i(id_a), .leaf_i(leaf_a[4*W-1:0]),
+        .pair_o(pair_put), .number_o(pair_to), .pair_data_o(pair_in),
+        .link_o(link), .link_from_o(link_from), .link_to_o(link_to),
+        .put_o(walk), .put_place_o(walk_place), .put_id_o(walk_id), .next_i(id_b)
     );
     rt_slot_ram #(.WIDTH(2*AB + SW), .SLOTS(COUNT), .OLD(0)) u_pairs (
         .clk(clk), .wr_en_i(pair_put), .wr_addr_i(pair_to), .wr_data_i(pair_in),
         .rd_en_i(pair_read), .rd_addr_i(pair_at), .rd_data_o(pair)
+    );
+    rt_slot_ram #(.WIDTH(AB), .SLOTS(COUNT), .OLD(0)) u_cuts (
+        .clk(clk), .wr_en_i(walk), .wr_addr_i(walk_id), .wr_data_i(walk_place),
+        .rd_en_i(pair_read), .rd_addr_i(pair_at), .rd_data_o(cut)
     );
 
     // ---- nodes of four, spheres around their children ----
@@ -200,7 +214,7 @@ module rt_build #(
         .clk(clk), .rst(rst),
         .start_i(nodes_start_q && !paper_q), .last_i(count_i[AB-1:0] - 1'b1), .root_i(root),
         .idle_o(pairs_idle), .next_o(pairs_next),
-        .read_o(pair_read), .number_o(pair_at), .pair_i(pair),
+        .read_o(pair_read), .number_o(pair_at), .pair_i({cut, pair}),
         .node_valid_o(pairs_node_valid), .node_ready_i(node_room), .node_o(pairs_node),
         .child_valid_o(pairs_child_valid), .child_ready_i(child_ready), .child_o(pairs_child)
     );
@@ -217,13 +231,13 @@ module rt_build #(
     // runs differ in length: many children may wait
     wire          run_valid, run_ready;
     wire [2*AB:0] run;
-    rt_fifo #(.WIDTH(2*AB + 1), .DEPTH(64)) u_children (
+    rt_fifo #(.WIDTH(2*AB + 1), .DEPTH(128)) u_children (
         .clk(clk), .rst(rst),
         .in_valid_i(child_valid && child_ready), .in_ready_o(child_ready), .in_data_i(child),
         .out_valid_o(run_valid), .out_ready_i(run_ready), .out_data_o(run)
     );
     wire          head_take;
-    rt_fifo #(.WIDTH(2*LB + 6), .DEPTH(32)) u_heads (
+    rt_fifo #(.WIDTH(2*LB + 6), .DEPTH(64)) u_heads (
         .clk(clk), .rst(rst),
         .in_valid_i(node_in && node_room), .in_ready_o(node_room), .in_data_i(node_word),
         .out_valid_o(heads), .out_ready_i(head_take), .out_data_o(head)
@@ -289,13 +303,14 @@ module rt_build #(
         record_q <= rsp_data_i[127:0];
         key_q    <= {key_q[1:0], key_read};
         done_o   <= 1'b0;
-        chain_start_q <= 1'b0;
+        join_start_q <= 1'b0;
         nodes_start_q <= 1'b0;
         if (req_valid_o && req_ready_i) asked_q <= asked_q + 1'b1;
         if (put) came_q <= came_q + 1'b1;
         if (put && void_q) error_o[3] <= 1'b1;
         if (put && !void_q && wrong) error_o[2] <= 1'b1;
         if (key_read) at_q <= at_q + 1'b1;
+        if (a_read && |copy_q) copy_q <= copy_q - 1'b1;
         if (busy_o && wr_error_i) error_o[3] <= 1'b1;
 
         if (takes && !whole) begin
@@ -335,8 +350,8 @@ module rt_build #(
             READ: if (came_q == count && !line_q) begin
                 extents_q     <= extent[0] | extent[1] | extent[2];
                 state_q       <= |error_o ? END : count == 0 || refit ? NODES : SCALE;
-                put_node_q    <= count == 0;
-                nodes_start_q <= count != 0 && refit && !(|error_o);
+                put_node_q    <= !(|error_o) && count == 0;
+                nodes_start_q <= !(|error_o) && count != 0 && refit;
                 if (!refit && !(|error_o)) begin
                     kept_q       <= count == 0;
                     kept_count_q <= count;
@@ -349,15 +364,16 @@ module rt_build #(
             end else state_q <= KEYS;
             KEYS: if (at_q == count && key_q[1:0] == 2'd0 && sort_ready) state_q <= SORT;
             SORT: if (sorted) begin
-                state_q       <= paper_q ? NODES : CHAIN;
-                chain_start_q <= !paper_q;
+                state_q       <= paper_q ? NODES : JOIN;
+                join_start_q  <= !paper_q;
                 nodes_start_q <= paper_q;
                 kept_q        <= paper_q;
             end
-            CHAIN: if (chained) begin
+            JOIN: if (joined) begin
                 state_q <= NODES;
                 kept_q  <= 1'b1;
                 nodes_start_q <= 1'b1;
+                copy_q  <= count;
             end
             NODES: if (nodes_idle && !nodes_start_q && !heads && !wr_valid_o) begin
                 state_q   <= END;
@@ -383,7 +399,7 @@ module rt_build #(
             records_line_q <= {LB{1'b0}};
             put_records_q <= 1'b0;
             put_node_q    <= 1'b0;
-            chain_start_q <= 1'b0;
+            join_start_q <= 1'b0;
             nodes_start_q <= 1'b0;
         end
     end

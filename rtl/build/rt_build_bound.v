@@ -1,7 +1,7 @@
 // rt_build_bound.v - the sphere around a run of leaves, in filter units, rounded outwards
 // SPDX-License-Identifier: Apache-2.0
-//   run --> [leaves, a clock each: box] --> middle --> run --> [leaves again: distance + radius]
-//                                                                   --> the largest, rounded up
+//   run --> [leaves, a clock each: extents] --> centre --> run --> [leaves again: distance,
+//                                                          radius] --> the largest, rounded up
 // Both passes run at the same time, on different runs. Distances are roots of W+1 digits, one a
 // clock, each digit a stage, so that a leaf enters every clock and nothing depends on the leaf
 // before it but the maximum at the end. At most 16 children are under way. With corner_i the second
@@ -45,7 +45,8 @@ module rt_build_bound #(
     output wire          ball_o,
     output wire [4*W-1:0] ball_leaf_o        // as a leaf: radius, centre
 );
-    localparam BW = W + 2;                   // a side of a box, signed
+    localparam BW = W + 2;                   // an end along an axis, signed
+    localparam XW = W + 3;                   // along a diagonal: below 3/2 2^W + 7/4 2^W
     localparam K  = W - FW;
     localparam CB = 3*FW;                    // a centre
     localparam RW = W + 2;                   // a reach: distance and radius
@@ -93,12 +94,20 @@ module rt_build_bound #(
     assign {a_head, a_tail, a_run} = a1_q;
     assign a_here = a1_here_q;
 
-    // ---- box, its middle ----
-    reg           boxed_q;                   // the box is whole
-    reg  [2*AB:0] boxed_run_q;
+    // ---- 1: ends of a leaf, along the axes and four diagonals; 2: those of the run; 3: their
+    // sums; 4: 16 times the centre, half up to filter units, limited to those of the grid ----
+    reg  [2:0]    ends_q;                    // of the leaf: it is there, the run's first, its last
+    reg           boxed2_q, boxed3_q, boxed_q; // the run's
+    reg  [2*AB:0] ends_run_q, run2_q, run3_q, boxed_run_q;
+    wire signed [XW-1:0] a_radius = {3'd0, a_leaf_i[3*W +: W]};
+    wire signed [XW-1:0] a_longer = a_radius + (a_radius >>> 1) + (a_radius >>> 2);
+    wire signed [XW-1:0] axis [0:2];
+    wire signed [XW-1:0] along [0:6];
+    wire signed [XW+2:0] sums [0:6];         // of both ends
     wire [CB-1:0] middle;
+    wire [6*BW-1:0] box;                     // high and low ends, of each axis
     wire [3*BW-1:0] far;
-    reg  [9*BW-1:0] far_q;                   // three clocks: until a distance is made of it
+    reg  [12*BW-1:0] far_q;                  // four clocks: until a distance is made of it
     function [BW-1:0] cut;                   // at the grid
         input whole;
         input [BW-1:0] v;
@@ -107,36 +116,81 @@ module rt_build_bound #(
     endfunction
     genvar i;
     generate
-        for (i = 0; i < 3; i = i + 1) begin : g_box
-            wire signed [BW-1:0] centre = {{2{a_leaf_i[W*i + W - 1]}}, a_leaf_i[W*i +: W]};
-            wire signed [BW-1:0] radius = {2'b00, a_leaf_i[3*W +: W]};
-            wire signed [BW-1:0] lo = centre - radius;
-            wire signed [BW-1:0] hi = centre + radius;
-            reg  signed [BW-1:0] lo_q, hi_q;
-            always @(posedge clk) if (a_here) begin
-                if (a_head || lo < lo_q) lo_q <= lo;
-                if (a_head || hi > hi_q) hi_q <= hi;
+        for (i = 0; i < 3; i = i + 1) begin : g_axis
+            assign axis[i]  = {{3{a_leaf_i[W*i + W - 1]}}, a_leaf_i[W*i +: W]};
+            assign along[i] = axis[i];
+        end
+        assign along[3] = axis[0] + axis[1] + axis[2];
+        assign along[4] = axis[0] + axis[1] - axis[2];
+        assign along[5] = axis[0] - axis[1] + axis[2];
+        assign along[6] = axis[1] + axis[2] - axis[0];
+        for (i = 0; i < 7; i = i + 1) begin : g_ends
+            localparam EW = i < 3 ? BW : XW; // bits of an end
+            wire signed [XW-1:0] radius = i < 3 ? a_radius : a_longer;
+            wire signed [XW-1:0] low  = along[i] - radius;
+            wire signed [XW-1:0] high = along[i] + radius;
+            reg  signed [EW-1:0] from_q, to_q, lo_q, hi_q;
+            wire signed [EW-1:0] lo_end, hi_end;
+            reg  signed [EW:0] sum_q;
+            assign sums[i] = {{(XW+2-EW){sum_q[EW]}}, sum_q};
+            always @(posedge clk) begin
+                from_q <= low[EW-1:0];
+                to_q   <= high[EW-1:0];
+                if (ends_q[2] && (ends_q[1] || from_q < lo_q)) lo_q <= from_q;
+                if (ends_q[2] && (ends_q[1] || to_q > hi_q)) hi_q <= to_q;
+                sum_q  <= lo_end + hi_end;
             end
-            wire signed [BW-1:0] low  = cut(whole_i, lo_q);
-            wire signed [BW-1:0] high = cut(whole_i, hi_q);
-            wire signed [BW:0] sum = low + high;
-            // the half of it, then half up to filter units, limited to those of the grid
-            wire signed [BW+1:0] half = {sum[BW], sum[BW], sum[BW:1]};
-            wire signed [BW+1:0] up   = K == 0 ? half : (half >>> (K == 0 ? 0 : K - 1)) + 1;
-            wire signed [BW+1:0] fine = K == 0 ? up : up >>> 1;
-            wire fits = fine[BW+1:FW-1] == {(BW+3-FW){1'b0}} ||
-                        fine[BW+1:FW-1] == {(BW+3-FW){1'b1}};
-            assign middle[FW*i +: FW] = fits ? fine[FW-1:0]
-                                             : {fine[BW+1], {(FW-1){!fine[BW+1]}}};
-            // the farther of both, as seen from there, which is above the half if it was rounded up
-            assign far[BW*i +: BW] = K != 0 && fits && half[K == 0 ? 0 : K - 1] ? low : high;
-            wire unused = &{1'b0, sum[0]};
+            if (i < 3) begin : g_box
+                reg [2*BW-1:0] both_q;
+                assign lo_end = cut(whole_i, lo_q);
+                assign hi_end = cut(whole_i, hi_q);
+                assign box[2*BW*i +: 2*BW] = both_q;
+                always @(posedge clk) both_q <= {hi_end, lo_end};
+                wire unused = &{1'b0, low[XW-1:EW], high[XW-1:EW]};
+            end else begin : g_diagonal
+                assign lo_end = lo_q;
+                assign hi_end = hi_q;
+            end
+        end
+        for (i = 0; i < 3; i = i + 1) begin : g_middle
+            wire signed [XW+2:0] one   = sums[3];
+            wire signed [XW+2:0] two   = i == 2 ? -sums[4] : sums[4];
+            wire signed [XW+2:0] three = i == 1 ? -sums[5] : sums[5];
+            wire signed [XW+2:0] four  = i == 0 ? -sums[6] : sums[6];
+            wire signed [XW+2:0] twice = sums[i];
+            // of a box alone its half, rounded down to grid units first
+            wire signed [XW+2:0] all   = corner_i ? (twice - (K == 0 ? 1 : 0)) <<< 3
+                                       : (twice <<< 2) + one + two + three + four;
+            wire signed [XW+2:0] up    = (all >>> (K + 3)) + 1;
+            wire signed [XW+2:0] fine  = up >>> 1;
+            wire fits = fine[XW+2:FW-1] == {(XW+4-FW){1'b0}} ||
+                        fine[XW+2:FW-1] == {(XW+4-FW){1'b1}};
+            reg  [FW-1:0] middle_q;
+            always @(posedge clk)
+                middle_q <= fits ? fine[FW-1:0] : {fine[XW+2], {(FW-1){!fine[XW+2]}}};
+            assign middle[FW*i +: FW] = middle_q;
+            // the farther end, as seen from there, which is above the half if it was rounded up
+            assign far[BW*i +: BW] = K != 0 && fits && twice[K] ? box[2*BW*i +: BW]
+                                                                : box[2*BW*i + BW +: BW];
+            wire unused = &{1'b0, all[K+2:0], up[0]};
         end
     endgenerate
     always @(posedge clk) begin
-        far_q       <= {far_q[6*BW-1:0], far};
-        boxed_q     <= a_here && a_tail && !rst;
-        boxed_run_q <= a_run;
+        far_q      <= {far_q[9*BW-1:0], far};
+        ends_q     <= {a_here, a_head, a_tail};
+        ends_run_q <= a_run;
+        boxed2_q   <= ends_q[2] && ends_q[0];
+        run2_q     <= ends_run_q;
+        boxed3_q   <= boxed2_q;
+        run3_q     <= run2_q;
+        boxed_q    <= boxed3_q;
+        boxed_run_q <= run3_q;
+        if (rst) begin
+            ends_q   <= 3'd0;
+            boxed2_q <= 1'b0;
+            boxed3_q <= 1'b0;
+            boxed_q  <= 1'b0;
+        end
     end
 
     // ---- second pass ----
@@ -182,7 +236,7 @@ module rt_build_bound #(
         for (i = 0; i < 3; i = i + 1) begin : g_apart
             wire signed [BW:0] from = {{3{s0_middle_q[FW*i + FW - 1]}}, s0_middle_q[FW*i +: FW],
                                        {K{1'b0}}};
-            wire signed [BW-1:0] to = corner_i ? far_q[BW*(6+i) +: BW]
+            wire signed [BW-1:0] to = corner_i ? far_q[BW*(9+i) +: BW]
                                                : {{2{b_leaf_i[W*i + W - 1]}}, b_leaf_i[W*i +: W]};
             wire signed [BW:0] d    = from - to;
             wire [W-1:0]   minus_d = ~d[W-1:0] + 1'b1;

@@ -10,7 +10,7 @@
 `include "rt_layout.vh"
 module rt_build_nodes #(
     parameter AB = 12,                       // bits of the number of a sphere
-    parameter SW = 20,                       // bits of a size
+    parameter SW = 12,                       // bits of a size, at least AB
     parameter LB = AB + 2                    // bits of a line, derived: leave alone
 ) (
     input  wire          clk,
@@ -24,8 +24,8 @@ module rt_build_nodes #(
     // pairs, a clock after their number
     output wire          read_o,
     output wire [AB-1:0] number_o,
-    input  wire [2*AB+SW-1:0] pair_i,        // size, right, left
-    // a node, before its children; both wait together
+    input  wire [3*AB+SW-1:0] pair_i,        // cut, size, right, left
+    // a node, and its children while it waits
     output wire          node_valid_o,
     input  wire          node_ready_i,
     output wire [2*LB+5:0] node_o,           // leaves, inner ones, base, line
@@ -47,6 +47,7 @@ module rt_build_nodes #(
     reg  [AB-1:0] first_q [0:3];
     reg  [AB-1:0] last_q [0:3];
     reg  [AB-1:0] number_q [0:3];
+    reg  [AB-1:0] cut_q [0:3];               // the last place of its left half
     reg  [AB-1:0] left_q [0:3];              // numbers of its halves
     reg  [AB-1:0] right_q [0:3];
     reg  [SW-1:0] size_q [0:3];
@@ -58,36 +59,36 @@ module rt_build_nodes #(
 
     // ---- the largest of those that can be opened, the first of equals ----
     wire [3:0]    inner;
-    wire [4*SW-1:0] size;
+    wire [4*SW+3:0] size;
     reg  [1:0]    most;
-    reg  [SW-1:0] largest;
+    reg  [SW:0]   largest;
     genvar g;
     generate
         for (g = 0; g < 4; g = g + 1) begin : g_run
             assign inner[g] = g < runs_q && first_q[g] != last_q[g];
-            assign size[SW*g +: SW] = !inner[g] ? {SW{1'b0}}
-                : even_q ? {{(SW-AB){1'b0}}, last_q[g] - first_q[g]} : size_q[g];
+            assign size[(SW+1)*g +: SW+1] = {inner[g], even_q
+                ? {{(SW-AB){1'b0}}, last_q[g] - first_q[g]} : size_q[g]};
         end
     endgenerate
     integer i;
     always @* begin
         most    = 2'd0;
-        largest = size[0 +: SW];
+        largest = size[0 +: SW+1];
         for (i = 1; i < 4; i = i + 1)
-            if (size[SW*i +: SW] > largest) begin
-                largest = size[SW*i +: SW];
+            if (size[(SW+1)*i +: SW+1] > largest) begin
+                largest = size[(SW+1)*i +: SW+1];
                 most    = i[1:0];
             end
     end
     wire [AB-1:0] cut = even_q ? first_q[most] + ((last_q[most] - first_q[most]) >> 1)
-                               : number_q[most];
+                               : cut_q[most];
     wire [1:0]    added  = runs_q[1:0];      // where the right half goes
 
     // ---- a node and its children go out ----
     reg  [3:0]    out_q;                     // inner ones to go out
     reg  [3:0]    leaf_q;                    // leaves to go out
     reg  [3:0]    push_q;                    // inner ones to be pushed
-    reg           head_q;                    // the node is out
+    reg           head_q;                    // the node itself is out
     reg  [1:0]    slot_q;                    // of the child that is pushed
     function [1:0] lowest;
         input [3:0] set;
@@ -104,7 +105,7 @@ module rt_build_nodes #(
     wire          out    = state_q == OUT;
     wire          pushes = out && |push_q;
     assign node_valid_o  = out && !head_q;
-    assign child_valid_o = out && head_q && |going;
+    assign child_valid_o = out && |going;
     assign child_o       = {gone, last_q[child], first_q[child]};
     reg  [2:0]    n_inner_q, n_leaf_q;
     assign node_o = {n_leaf_q, n_inner_q, next_o, line_q};
@@ -136,13 +137,14 @@ module rt_build_nodes #(
     wire [3:0]    all     = runs_q[2] ? 4'b1111 : ~(4'b1111 << runs_q);
     wire [LB-1:0] lines   = {{(LB-3){1'b0}}, n_inner_q} + {{(LB-2){1'b0}}, n_leaf_q[2:1]} +
                             {{(LB-1){1'b0}}, n_leaf_q[0]};
-    assign read_o   = state_q == READ && |read_q;
-    assign number_o = number_q[reads];
+    wire          pops    = state_q == POP && |waits_q;
+    assign read_o   = pops || (state_q == READ && |read_q);
+    assign number_o = pops ? top[2*AB +: AB] : number_q[reads];
     assign idle_o   = state_q == IDLE;
     always @(posedge clk) begin
         gets_q <= read_o;
-        got_q  <= reads;
-        if (gets_q) {size_q[got_q], right_q[got_q], left_q[got_q]} <= pair_i;
+        got_q  <= pops ? 2'd0 : reads;
+        if (gets_q) {cut_q[got_q], size_q[got_q], right_q[got_q], left_q[got_q]} <= pair_i;
         case (state_q)
             POP: begin
                 waits_q     <= under;
@@ -153,7 +155,7 @@ module rt_build_nodes #(
                 line_q      <= top[RW +: LB];
                 level_q     <= top_level + 1'b1;
                 runs_q      <= 3'd1;
-                read_q      <= 4'd1;
+                read_q      <= 4'd0;
                 state_q     <= |waits_q ? READ : IDLE;
             end
             READ: begin
@@ -190,7 +192,8 @@ module rt_build_nodes #(
                     if (|out_q) out_q[child] <= 1'b0;
                     else leaf_q[child] <= 1'b0;
                 end
-                if (head_q && !(|going) && !(|push_q)) begin
+                if ((head_q || node_ready_i) && (~|going || (gone && child_ready_i)) &&
+                    (push_q & (push_q - 1'b1)) == 4'd0) begin
                     next_o  <= next_o + lines;
                     state_q <= POP;
                 end

@@ -2,15 +2,18 @@
 // SPDX-License-Identifier: Apache-2.0
 //   key, id --> bank 0 --> [digit: place of its next one] --> bank 1 --> .. --> bank 0
 // A radix sort, low digits first: each pass moves a word a clock from one bank to the other, turns
-// its key by a digit, and counts the next digit of what it moves. Places of a pass are sums of the counts of smaller
-// digits. n words take DIGITS * n + 64 * DIGITS clocks after their last one came in. What is read
-// first, place by place, is copied to bank 1, so that there are two readers afterwards.
+// its key by a digit, and counts the next digit of what it moves. Places of a pass are sums of the
+// counts of smaller digits. n words take DIGITS * n + 64 * DIGITS clocks after their last one came
+// in. Bank 1 then holds the list of a tree, which comes back as the order. What of an order is read
+// first is copied to bank 1, so that there are two readers.
 // Model: sph_bt_order() in cmodel/build/order.c
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_layout.vh"
 module rt_build_sort #(
-    parameter AB = 12                        // bits of the number of a sphere
+    parameter AB  = 12,                      // bits of the number of a sphere
+    parameter KEY = 3*`RT_BUILD_AXIS,        // bits of a key, a multiple of DB
+    parameter DB  = `RT_BUILD_DIGIT          // bits of a digit
 ) (
     input  wire          clk,
     input  wire          rst,                // synchronous, active high
@@ -18,7 +21,7 @@ module rt_build_sort #(
     input  wire          clear_i,            // forget all; ready_o says when keys may come
     output wire          ready_o,            // counts are 0
     input  wire          key_valid_i,        // keys of 0, 1, 2, ..
-    input  wire [3*`RT_BUILD_AXIS-1:0] key_i,
+    input  wire [KEY-1:0] key_i,
     input  wire          sort_i,             // they were the last
     input  wire [AB:0]   count_i,            // spheres
     output reg           done_o,             // bank 0 holds the order
@@ -29,10 +32,16 @@ module rt_build_sort #(
     output wire [AB-1:0] a_id_o,
     input  wire          b_en_i,
     input  wire [AB-1:0] b_place_i,
-    output wire [AB-1:0] b_id_o
+    output wire [AB-1:0] b_id_o,
+    // a list, in bank 1: who follows whom
+    input  wire          link_i,
+    input  wire [AB-1:0] link_from_i,
+    input  wire [AB-1:0] link_to_i,
+    // another order, to bank 0
+    input  wire          put_i,
+    input  wire [AB-1:0] put_place_i,
+    input  wire [AB-1:0] put_id_i
 );
-    localparam KEY    = 3*`RT_BUILD_AXIS;
-    localparam DB     = `RT_BUILD_DIGIT;
     localparam DIGITS = KEY / DB;
     localparam PB     = $clog2(DIGITS + 1);
     localparam [PB-1:0] LAST = DIGITS[PB-1:0] - 1'b1;
@@ -61,18 +70,19 @@ module rt_build_sort #(
     wire          put     = moving && moved_q;
     rt_slot_ram #(.WIDTH(KEY + AB), .SLOTS(1 << AB), .OLD(0)) u_bank0 (
         .clk(clk),
-        .wr_en_i(key_valid_i || (put && from1)),
-        .wr_addr_i(key_valid_i ? write_q : place[AB-1:0]),
-        .wr_data_i(key_valid_i ? {key_i, write_q} : turned),
+        .wr_en_i(key_valid_i || put_i || (put && from1)),
+        .wr_addr_i(key_valid_i ? write_q : put_i ? put_place_i : place[AB-1:0]),
+        .wr_data_i(key_valid_i ? {key_i, write_q}
+                               : {turned[AB +: KEY], put_i ? put_id_i : turned[AB-1:0]}),
         .rd_en_i(moving ? !from1 && more : a_en_i),
         .rd_addr_i(moving ? read_q[AB-1:0] : a_place_i),
         .rd_data_o(word0)
     );
     rt_slot_ram #(.WIDTH(KEY + AB), .SLOTS(1 << AB), .OLD(0)) u_bank1 (
         .clk(clk),
-        .wr_en_i((put && !from1) || copy_q),
-        .wr_addr_i(copy_q ? copied_q : place[AB-1:0]),
-        .wr_data_i(turned),
+        .wr_en_i((put && !from1) || copy_q || link_i),
+        .wr_addr_i(link_i ? link_from_i : copy_q ? copied_q : place[AB-1:0]),
+        .wr_data_i({turned[AB +: KEY], link_i ? link_to_i : turned[AB-1:0]}),
         .rd_en_i(moving ? from1 && more : b_en_i),
         .rd_addr_i(moving ? read_q[AB-1:0] : b_place_i),
         .rd_data_o(word1)

@@ -93,7 +93,8 @@
 `define RT_BUILD_REFIT 2
 `define RT_BUILD_AXIS 8
 `define RT_BUILD_DIGIT 6
-`define RT_BUILD_STACK 32
+`define RT_BUILD_SIDE 12
+`define RT_BUILD_WINDOW 8
 `define RT_FRAMES 3
 `define RT_SPHERE 0
 `define RT_TRIANGLE 1

@@ -23,7 +23,7 @@ module rt_builder #(
     input  wire [32*`RT_TOP_SETTINGS-1:0] settings_i,
     input  wire [ADDR-1:0] base_i,       // of SCENE_BASE
     // to rt_control
-    output wire [4:0]      errors_o,     // bits of ERRORS, from BUILD_MANY on, that are set now
+    output wire [5:0]      errors_o,     // bits of ERRORS, from BUILD_MANY on, that are set now
     output wire            done_o,       // a build ended
     output wire            building_o,
     output wire            draining_o,
@@ -64,7 +64,7 @@ module rt_builder #(
     localparam LB = `RT_LINE_BITS;
     // ---- what is wanted ----
     wire          accept, go, built, cut, read_idle, write_idle, read_stall, write_stall;
-    wire [3:0]    errors;
+    wire [4:0]    errors;
     wire [LB-1:0] root, written;
     rt_trees u_trees (
         .clk(clk), .rst(rst), .order_i(order_i), .limit_i(settings_i[`RT_TOP_SET_WATCHDOG]),
@@ -77,10 +77,12 @@ module rt_builder #(
         .accept_o(accept), .line_o(root), .go_o(go), .built_i(built), .errors_i(errors),
         .cut_o(cut), .idle_i(read_idle && write_idle), .stall_i(read_stall || write_stall)
     );
+    reg  [1:0]      mode_q;
     reg  [`RT_ID_BITS-1:0] count_q;
     reg  [LB-1:0]   records_q, lines_q;
     reg  [ADDR-1:0] base_q;
     always @(posedge clk) if (accept) begin
+        mode_q    <= settings_i[`RT_TOP_SET_BUILD_MODE_ORDER];
         count_q   <= settings_i[`RT_TOP_SET_BUILD_COUNT_SPHERES];
         records_q <= settings_i[`RT_TOP_SET_BUILD_RECORDS_LINE];
         lines_q   <= settings_i[`RT_TOP_SET_BUILD_LINES_LINES];
@@ -94,13 +96,14 @@ module rt_builder #(
     wire [255:0]  line, wr_data;
     wire          read_slverr, read_decerr, write_slverr, write_decerr, busy;
     rt_build #(.W(W), .FW(FW), .COUNT(COUNT)) u_build (
-        .clk(clk), .rst(build_rst), .start_i(go), .count_i(count_q), .prim_base_i(records_q),
-        .root_i(root), .lines_i(lines_q), .busy_o(busy), .done_o(built), .error_o(errors),
+        .clk(clk), .rst(build_rst), .start_i(go), .mode_i(mode_q), .count_i(count_q),
+        .prim_base_i(records_q), .root_i(root), .lines_i(lines_q), .busy_o(busy),
+        .done_o(built), .error_o(errors),
         .written_o(written), .req_valid_o(req_valid), .req_ready_i(req_ready),
         .req_line_o(req_line), .rsp_valid_i(line_valid), .rsp_data_i(line),
         .rsp_error_i(line_error), .wr_valid_o(wr_valid), .wr_ready_i(wr_ready),
         .wr_line_o(wr_line), .wr_data_o(wr_data), .wr_idle_i(write_idle),
-        .wr_error_i(write_slverr || write_decerr)
+        .wr_error_i(write_slverr || write_decerr), .rounds_i(2'd0)
     );
     assign written_o = {{(32-LB){1'b0}}, written};
 

@@ -41,7 +41,7 @@ module rt_control #(
     input  wire [31:0] status_i,        // STATUS
     input  wire [63:0] build_i,         // {BUILD_WRITTEN, BUILD_CLOCKS}
     // what happens
-    input  wire [20:0] errors_i,        // bits of ERRORS that are set now
+    input  wire [21:0] errors_i,        // bits of ERRORS that are set now
     input  wire [3:0]  happened_i,      // bits of INTERRUPTS but ERROR
     input  wire        good_i,          // a frame is complete
     // orders, settings
@@ -64,7 +64,8 @@ module rt_control #(
                                    (BUILD != 0 ? {ALL{1'b0}} : `RT_TOP_SETTINGS_OF_BUILD));
     localparam [OTHERS-1:0] OTHERS_THERE = ~(BUILD != 0 ? {OTHERS{1'b0}}
                                                         : `RT_TOP_OTHERS_OF_BUILD);
-    localparam [20:0] ERRORS_THERE = {{5{BUILD != 0}}, 16'hffff};
+    localparam [21:0] ERRORS_THERE = {{6{BUILD != 0}}, 16'hffff};
+    localparam [7:0] ORDERS_THERE = {BUILD != 0, 7'h7f};
     localparam [4:0] HAPPENED_THERE = {BUILD != 0, 4'hf};
     localparam [32*ALL-1:0] RESET = `RT_TOP_SETTINGS_RESET;
     localparam [32*ALL-1:0] KEPT = `RT_TOP_SETTINGS_KEPT &
@@ -126,7 +127,7 @@ module rt_control #(
     assign write_addr_o    = aw_q[8:2];
     assign write_data_o    = w_q;
     always @(posedge clk)              // from a register, as the answer: it reaches far
-        order_o <= write && aw_control_q && !rst ? ones[7:0] : 8'd0;
+        order_o <= write && aw_control_q && !rst ? ones[7:0] & ORDERS_THERE : 8'd0;
 
     // ---- a read: what others have comes through a register, a clock before the answer ----
     reg         ar_full_q, ar_seen_q, ar_free_q;   // free: elsewhere_q was read while it may be
@@ -175,17 +176,17 @@ module rt_control #(
     endgenerate
 
     // ---- what happened ----
-    reg  [20:0] errors_q;
+    reg  [21:0] errors_q;
     reg  [4:0]  happened_q;
     reg  [31:0] frames_q;
     always @(posedge clk) begin
-        errors_q   <= ((errors_q & ~(write && aw_errors_q ? ones[20:0] : 21'd0)) |
+        errors_q   <= ((errors_q & ~(write && aw_errors_q ? ones[21:0] : 22'd0)) |
                        errors_i) & ERRORS_THERE;
         happened_q <= ((happened_q & ~(write && aw_interrupts_q ? ones[4:0] : 5'd0)) |
-                       {happened_i[3], errors_i != 21'd0, happened_i[2:0]}) & HAPPENED_THERE;
+                       {happened_i[3], errors_i != 22'd0, happened_i[2:0]}) & HAPPENED_THERE;
         frames_q   <= frames_q + {31'd0, good_i};
         if (rst || order_o[`RT_TOP_CONTROL_SOFT_RESET]) begin
-            errors_q   <= 21'd0;
+            errors_q   <= 22'd0;
             happened_q <= 5'd0;
             frames_q   <= 32'd0;
         end
@@ -207,7 +208,7 @@ module rt_control #(
                 `RT_TOP_CORE_BUS:     word = built_i[96 +: 32];
                 `RT_TOP_STATUS:       word = status_i;
                 `RT_TOP_FRAME_COUNT:  word = frames_q;
-                `RT_TOP_ERRORS:       word = {11'd0, errors_q};
+                `RT_TOP_ERRORS:       word = {10'd0, errors_q};
                 `RT_TOP_INTERRUPTS:   word = {27'd0, happened_q};
                 `RT_TOP_BUILD_CLOCKS: word = build_i[0 +: 32];
                 `RT_TOP_BUILD_WRITTEN: word = build_i[32 +: 32];

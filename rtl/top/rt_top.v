@@ -177,7 +177,7 @@ module rt_top #(
     wire [31:0] write_data, machine_data, count_data;
     wire        machine_busy, count_busy, control_busy;
     wire [15:0] errors;
-    wire [4:0]  build_errors;
+    wire [5:0]  build_errors;
     wire [63:0] build_words;
     wire        build_done;
     wire        done, swap, frame_end, good;
@@ -198,7 +198,8 @@ module rt_top #(
         .s_rready(s_axil_rready), .s_rdata(s_axil_rdata), .s_rresp(s_axil_rresp), .irq_o(irq_o),
         .busy_o(control_busy), .built_i({bus, parts, `RT_EFFECTS_BUILT, PROFILE}),
         .status_i(status), .build_i(build_words),
-        .errors_i({build_errors, errors}), .happened_i({build_done, underrun, swap, done}), .good_i(frame_end && good),
+        .errors_i({build_errors, errors}), .happened_i({build_done, underrun, swap, done}),
+        .good_i(frame_end && good),
         .order_o(order), .settings_o(settings), .machine_write_o(machine_write),
         .write_addr_o(write_addr), .write_data_o(write_data), .read_addr_o(read_addr),
         .machine_data_i(machine_data), .machine_busy_i(machine_busy),
@@ -406,7 +407,7 @@ module rt_top #(
             assign core_data = reads && cfg_addr == `RT_REG_ROOT
                                ? {{(32-`RT_LINE_BITS){1'b0}}, root} : cfg_data;
         end else begin : g_no_build
-            assign build_errors = 5'd0;
+            assign build_errors = 6'd0;
             assign build_words  = 64'd0;
             assign {build_done, held, cutting, build_busy} = 4'd0;
             assign {status[`RT_TOP_STATUS_BUILDING], status[`RT_TOP_STATUS_TREE_VALID],

@@ -20,7 +20,7 @@ module rt_trees (
     input  wire [`RT_LINE_BITS-1:0] tree1_i,
     input  wire        root_i,          // frames read the newest tree
     // to rt_control
-    output wire [4:0]  errors_o,        // bits of ERRORS, from BUILD_MANY on, that are set now
+    output wire [5:0]  errors_o,        // bits of ERRORS, from BUILD_MANY on, that are set now
     output wire        done_o,          // a build ended
     output wire        building_o,
     output wire        draining_o,
@@ -40,7 +40,7 @@ module rt_trees (
     output reg  [`RT_LINE_BITS-1:0] line_o, // of the tree's root
     output wire        go_o,
     input  wire        built_i,         // one clock
-    input  wire [3:0]  errors_i,        // with it: bus, record, room, many
+    input  wire [4:0]  errors_i,        // with it: order, bus, record, room, many
     output wire        cut_o,           // it is in reset, its masters end
     input  wire        idle_i,          // the buses owe nothing
     input  wire        stall_i          // they do, and do nothing
@@ -55,19 +55,20 @@ module rt_trees (
     wire        to     = valid_o && !newest_o;
     wire        taken  = reads_o && frame_i && reads_place_q == to_q;
     wire        late   = state_q == RUN && !built_i && limit_i != 32'd0 && silent_q >= limit_i;
-    wire        good   = built_i && errors_i == 4'd0;
+    wire        good   = built_i && errors_i == 5'd0;
     assign accept_o    = asked && state_q == IDLE;
     assign go_o        = state_q == GO;
     assign cut_o       = state_q == CUT;
     assign building_o  = state_q != IDLE && state_q != CUT;
     assign draining_o  = state_q == CUT;
     assign done_o      = (built_i || late) && !anew;
-    assign errors_o    = {asked && !accept_o, (built_i ? errors_i : 4'd0) | {late, 3'd0}};
+    assign errors_o    = {asked && !accept_o, (built_i ? errors_i : 5'd0) | {1'b0, late, 3'd0}};
 
     // ---- START ----
     wire        stop   = anew || order_i[`RT_TOP_CONTROL_STOP];
     wire        fire   = held_o && state_q == IDLE && !frame_i && !stop;
-    assign start_o     = (order_i[`RT_TOP_CONTROL_START] && !order_i[`RT_TOP_CONTROL_BUILD]) || fire;
+    wire        alone  = !order_i[`RT_TOP_CONTROL_BUILD];
+    assign start_o     = (order_i[`RT_TOP_CONTROL_START] && alone) || fire;
 
     always @(posedge clk) begin
         silent_q <= stall_i ? silent_q + {31'd0, !(&silent_q)} : 32'd0;

@@ -61,8 +61,7 @@ class Sdram : SdramTimes {
 
     void edge(const SdramPins &p) {
         clock_++;
-        if (p.cke) step(p);
-        data(p);
+        if (p.cke) step(p), data(p); /* else it stands still */
         if (ready_) refreshes();
     }
 

@@ -6,6 +6,7 @@
  */
 #include "Vrt_clocks.h"
 #include "bench.h"
+#include "stimulus.h"
 
 namespace {
 
@@ -42,11 +43,16 @@ int main(int argc, char **argv) {
     bench::Bench<Top> b("tb_clocks", argc, argv, 40);
     Top &dut = b.dut;
     Clock core = {"edges of clk", 50}, bits = {"edges of clk5", 10}, mem = {"mem_clk", 2 * MEM_DIV};
+    bench::Stimulus driven;
+    bench::Points &presses = driven.values(
+        "the button comes", {"while clk is high", "while it is low", "in the reset", "behind it"});
     uint64_t press = 3 * LOCKS, release = press; /* edges */
     dut.restart_i = 0;
     for (uint64_t at = 1; b.more(); at++, b.cycle = 0) {
         if (at == press) {
             dut.restart_i = 1;
+            presses.value(dut.clk ? 0 : 1);
+            presses.value(dut.rst_o ? 2 : 3);
             release = at + 50 * (uint64_t)b.random.between(3, 9) + b.random.below(50);
         } else if (at == release) {
             dut.restart_i = 0;
@@ -65,5 +71,6 @@ int main(int argc, char **argv) {
         core.reset(dut.rst_o, b);
         mem.reset(dut.mem_rst_o, b);
     }
+    if (b.all_vectors && !b.mismatches && !driven.whole()) b.fail("the list of stimulus");
     return b.finish();
 }

@@ -124,6 +124,6 @@ int main(int argc, char **argv) {
     b.reset();
     while (b.more())
         rig.clock();
-    if (!rig.driven.whole() && b.all_vectors) b.fail("the list of stimulus");
+    if (b.all_vectors && !b.mismatches && !rig.driven.whole()) b.fail("the list of stimulus");
     return b.finish();
 }

@@ -115,7 +115,7 @@ struct Board {
         const uint32_t answer = ar ? read(dut.address_o & 0xfff) : 0;
         if (aw) {
             last_write = dut.address_o & 0xfff;
-            registers[last_write] = dut.data_o;
+            registers[last_write] = last_write == SPHAERA_ERRORS ? 0 : dut.data_o;
             if (last_write == SPHAERA_CONTROL && dut.data_o & SPHAERA_CONTROL_START) busy = 3;
         }
         if (mem) {
@@ -414,7 +414,7 @@ int main(int argc, char **argv) {
     Packets packets(board, b);
     packets.any(400);
     packets.silence();
-    if (!packets.driven.whole() && b.all_vectors) b.fail("the list of stimulus");
+    if (b.all_vectors && !b.mismatches && !packets.driven.whole()) b.fail("the list of stimulus");
     sph_machine_free(&machine);
     return b.finish();
 }

@@ -6,6 +6,7 @@
  */
 #include "Vrt_reset.h"
 #include "bench.h"
+#include "stimulus.h"
 
 namespace {
 
@@ -23,11 +24,24 @@ int main(int argc, char **argv) {
 #ifndef NETLIST /* where registers with faults have no start value */
     b.expect("rst_o at power-up", b.dut.rst_o, 1);
 #endif
+    bench::Stimulus driven;
+    bench::Points &holds = driven.values("asked for", {"a clock", "2 clocks", "3 clocks", "more"});
+    bench::Points &pauses =
+        driven.values("a pause", {"a clock", "as long as the reset but one", "as long", "longer"});
     uint64_t change = LASTS + SYNC, last = 0; /* clocks: the next change, when it was asked last */
     for (; b.more(); b.done()) {
         if (b.cycle == change) {
             b.dut.hold_i = !b.dut.hold_i;
-            change += (uint64_t)b.random.between(1, b.random.percent(50) ? 3 : 40);
+            const int64_t lasts = b.random.between(1, b.random.percent(50) ? 3 : 40);
+            if (b.dut.hold_i)
+                holds.value(lasts < 4 ? lasts - 1 : 3);
+            else
+                pauses.value(lasts == 1                    ? 0
+                             : lasts == (int64_t)LASTS - 1 ? 1
+                             : lasts == (int64_t)LASTS     ? 2
+                             : lasts > (int64_t)LASTS      ? 3
+                                                           : -1);
+            change += (uint64_t)lasts;
         }
         b.tick();
         if (b.dut.hold_i) last = b.cycle;
@@ -39,5 +53,6 @@ int main(int argc, char **argv) {
             if (since >= SYNC) b.expect("rst_o", b.dut.rst_o, since < SYNC + LASTS);
         }
     }
+    if (b.all_vectors && !b.mismatches && !driven.whole()) b.fail("the list of stimulus");
     return b.finish();
 }

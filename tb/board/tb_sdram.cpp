@@ -273,7 +273,7 @@ int main(int argc, char **argv) {
         b.fail("something waits for longer than its parameter says, or for less");
     if (rig.part.first() < POWER || rig.part.first() > POWER + 8)
         b.fail("power-up of another length");
-    if (!rig.driven.whole() && b.all_vectors) b.fail("the list of stimulus");
+    if (b.all_vectors && !b.mismatches && !rig.driven.whole()) b.fail("the list of stimulus");
     printf("# %llu activations, %llu reads, %llu writes, %llu refreshes\n",
            (unsigned long long)rig.part.commands(ACTIVATE),
            (unsigned long long)rig.part.commands(READ),

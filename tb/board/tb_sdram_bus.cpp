@@ -1,15 +1,17 @@
 /* tb_sdram_bus.cpp - readers and writers at one SDRAM: each read has what was written before it
  * SPDX-License-Identifier: Apache-2.0
  *
- * Bursts of any length at few rows, with stalls of each channel; clocks of any ratio from 1:4 to
- * 2:1, in any phase. Nobody writes what is read or written at that time; what a write was answered
- * for counts. While the display waits, no more than QUEUE words of others and the few behind its
- * own go before it. Now and then all is reset while reads are under way. A vector is a burst.
+ * Bursts of any length, of which one begins a bit of the address beside another, with stalls of
+ * each channel; clocks of any ratio from 1:4 to 2:1, in any phase. Nobody writes what is read or
+ * written at that time; what a write was answered for counts. While the display waits, no more than
+ * QUEUE words of others and the few behind its own go before it. Now and then all is reset in the
+ * middle of reads, and of writes, of which words may be in memory or not. A vector is a burst.
  */
 #include <deque>
 #include "Vrt_sdram_bus.h"
 #include "bench.h"
 #include "board/sdram_model.h"
+#include "stimulus.h"
 
 namespace {
 
@@ -42,6 +44,8 @@ class Rig {
     uint64_t longest = 0;                            /* ps from the display's AR to its last word */
     uint64_t reads[READS] = {}, writes[WRITES] = {}; /* bursts */
 
+    bench::Stimulus driven;
+
     bool run() {
         dut.rst = dut.mem_rst = 1;
         for (unsigned edges = 0; b.more();) {
@@ -53,7 +57,7 @@ class Rig {
                 else
                     dut.eval();
                 if (++edges == 40) dut.rst = dut.mem_rst = 0;
-                if (edges % 100000 == 96000) still_ = true;
+                if (edges % 200000 == 96000) still_ = true;
                 if (edges % 100000 == 99960) restart();
                 if (edges % 100000 == 0) begin();
                 if (edges % 4000 == 0) clk_half_ = 4000 + b.random.below(28000);
@@ -82,20 +86,43 @@ class Rig {
     Writer writers_[WRITES];
     std::unordered_map<uint32_t, uint64_t> words_;
     Counts reading_, writing_;
-    bool still_ = false; /* nobody begins to write */
+    bool still_ = false;           /* nobody begins to write */
+    uint32_t at_ = 0;              /* the place before */
+    std::deque<uint32_t> recent_;  /* words that may still be in the queue */
+    std::vector<uint32_t> unsure_; /* words of writes that a reset cut off */
+    bench::Points &read_at_ = driven.alone("address of a read", 22);
+    bench::Points &write_at_ = driven.alone("address of a write", 22);
+    bench::Points &words_of_ = driven.values("words of a read", {"1", "DEPTH", "40", "256"});
+    bench::Points &met_ = driven.together("ports that move words at once", ports());
 
     void begin() {
-        if (dut.rst) part_.restart(), powered_ = clk_at_ + POWERED;
+        if (dut.rst) {
+            part_.restart();
+            powered_ = clk_at_ + POWERED;
+            for (uint32_t at : unsure_)
+                words_[at] = part_.word(at >> 7 & 3, at >> 9, (at & 127) * 4);
+            unsure_.clear();
+        }
         dut.rst = dut.mem_rst = still_ = false;
     }
-    /* All is reset, and who reads gets no answer; what was written lies in memory. */
+    /* All is reset, and who asked gets no answer; words in the queue may not reach memory. */
     void restart() {
-        for (const Writer &w : writers_)
-            if (w.words || w.answer) return;
         dut.rst = dut.mem_rst = 1;
+        unsigned events = 0;
+        for (int i = 0; i < READS; i++)
+            events |= !readers_[i].owed.empty() << i;
+        for (int i = 0; i < WRITES; i++)
+            events |= (writers_[i].answer || writers_[i].words != 0) << (READS + i);
+        met_.clock(events | 1u << (READS + WRITES));
+        for (const auto &[at, n] : writing_)
+            if (n) unsure_.push_back(at);
+        unsure_.insert(unsure_.end(), recent_.begin(), recent_.end());
         for (Reader &r : readers_)
             r = Reader();
+        for (Writer &w : writers_)
+            w = Writer();
         reading_.clear();
+        writing_.clear();
     }
 
     void memory() {
@@ -110,7 +137,19 @@ class Rig {
     uint64_t moved() const { return part_.commands(4) + part_.commands(5); }
     uint32_t place() {
         static const uint32_t rows[3] = {0, 0x1ffe, 0x0a51};
-        return (rows[b.random.below(3)] << 9 | (uint32_t)b.random.below(512)) & 0x3fffff;
+        const bool beside = b.random.percent(50);
+        at_ = beside ? at_ ^ 1u << b.random.below(22)
+                     : (rows[b.random.below(3)] << 9 | (uint32_t)b.random.below(512)) & 0x3fffff;
+        return at_;
+    }
+    static bench::Stimulus::Names ports() {
+        bench::Stimulus::Names all;
+        for (int i = 0; i < READS; i++)
+            all.push_back("reader " + std::to_string(i));
+        for (int i = 0; i < WRITES; i++)
+            all.push_back("writer " + std::to_string(i));
+        all.push_back("a reset");
+        return all;
     }
     bool none(const Counts &counts, uint32_t at, uint32_t n) const {
         for (uint32_t i = 0; i < n; i++) {
@@ -128,9 +167,10 @@ class Rig {
             const bool more =
                 i ? b.random.percent(20) : b.random.percent(5) && r.owed.size() < 40 && !r.before;
             if (!r.asked && (lone || more)) {
-                r.words = 1 + (uint32_t)b.random.below(!i || b.random.percent(90) ? DEPTH
-                                                       : b.random.percent(90)     ? 40
-                                                                                  : 256);
+                const uint32_t most = !i || b.random.percent(90) ? DEPTH
+                                      : b.random.percent(90)     ? 40
+                                                                 : 256;
+                r.words = b.random.percent(25) ? most : 1 + (uint32_t)b.random.below(most);
                 r.at = place();
                 r.asked = none(writing_, r.at, r.words);
                 for (uint32_t k = 0; r.asked && k < r.words; k++)
@@ -185,6 +225,7 @@ class Rig {
         const unsigned ar = dut.s_arvalid & dut.s_arready, aw = dut.s_awvalid & dut.s_awready;
         const unsigned w = dut.s_wvalid & dut.s_wready, bs = dut.s_bvalid & dut.s_bready;
         const unsigned r = dut.s_rvalid & dut.s_rready, last = dut.s_rlast;
+        met_.clock(ar | aw << READS | r | w << READS);
         uint64_t data[READS];
         for (int i = 0; i < READS; i++)
             data[i] = (uint64_t)bench::get(dut.s_rdata, 64 * i, 64);
@@ -215,6 +256,14 @@ class Rig {
         }
         /* others in the queue, in its output, and those behind its last word */
         if (me.before && moved() > me.before + me.own + QUEUE + 8) b.fail("the display waits");
+        if (ar) {
+            read_at_.word(me.at);
+            words_of_.value(me.words == 1       ? 0
+                            : me.words == DEPTH ? 1
+                            : me.words == 40    ? 2
+                            : me.words == 256   ? 3
+                                                : -1);
+        }
         if (!ar) return;
         me.before = me.owed.empty() ? moved() + 1 : 0;
         me.own = me.words;
@@ -228,7 +277,10 @@ class Rig {
         Writer &me = writers_[i];
         const bool next = aw && me.next_words;
         if (aw && !next) me.address = false, me.answer = true;
+        if (aw) write_at_.word(next ? me.next_at : me.at);
         if (w) {
+            recent_.push_back(me.at + me.sent & 0x3fffff);
+            if (recent_.size() > QUEUE + 4) recent_.pop_front();
             uint64_t &was = words_[me.at + me.sent & 0x3fffff];
             for (int k = 0; k < 8; k++) {
                 const uint64_t byte = me.strobe >> k & 1 ? 0xffull << 8 * k : 0;
@@ -266,6 +318,7 @@ int main(int argc, char **argv) {
         if (!bursts && b.all_vectors) b.fail("a reader waits");
     for (uint64_t bursts : rig.writes)
         if (!bursts && b.all_vectors) b.fail("a writer waits");
+    if (b.all_vectors && !b.mismatches && !rig.driven.whole()) b.fail("the list of stimulus");
     printf("# the display's longest wait for a burst of up to %d words: %.1f us\n", DEPTH,
            (double)rig.longest / 1e6);
     return b.finish();

@@ -141,6 +141,7 @@ int main(int argc, char **argv) {
         b.cycle = 0;
         b.done();
     }
-    if (!SLOW && !rig.driven.whole() && b.all_vectors) b.fail("the list of stimulus");
+    if (!SLOW && b.all_vectors && !b.mismatches && !rig.driven.whole())
+        b.fail("the list of stimulus");
     return b.finish();
 }

@@ -3,11 +3,13 @@
  *
  * The bench stands in for all other groups: it makes up what rays hit and what is blended, for all
  * slots at once, and knows from that what must become of each pixel. A vector is a finished pixel.
+ * A reset in each state of a slot forgets it.
  */
 #include <cstring>
 
 #include "Vrt_slots.h"
 #include "engine/parts.h"
+#include "stimulus.h"
 
 extern "C" {
 #include "machine/layout.h"
@@ -95,6 +97,7 @@ class Slots : public bench::Bench<Vrt_slots> {
         dut.pix_ready_i = random.percent(pace[2]);
         dut.ray_slot_i = (uint8_t)random.below(SLOTS);
         settle();
+        note();
         const Slot &r = slots[dut.ray_slot_i];
         if (r.state == Slot::PRIMARY && r.again != (dut.ray_again_o != 0))
             fail("ray_again_o is wrong");
@@ -119,7 +122,10 @@ class Slots : public bench::Bench<Vrt_slots> {
             bench::set(dut.colour_i, 72, (i128)slots[read].colour);
             dut.texture_i = slots[read].texture;
         }
+        if (start && random.below(500) == 0) restart();
     }
+
+    bool whole() const { return driven.whole(); }
 
     bool all_idle() const {
         if (dut.in_valid_i) return false;
@@ -138,6 +144,45 @@ class Slots : public bench::Bench<Vrt_slots> {
     u128 next_dir = 0;
     int told_before = -1; /* whose end done_i told in the clock before */
     Hit wanted, later;    /* in the next clock, and in the one after it */
+    bench::Stimulus driven;
+    bench::Points &states = driven.values(
+        "handshake", some({"all slots taken, another pixel waits", "a pixel waits for a unit",
+                           "all slots free", "a pixel waits at the port", "a repeated ray waits"}));
+    bench::Points &resets = driven.values(
+        "reset, a slot",
+        some({"free", "with a primary ray", "with a surface or a miss",
+              "with a ray behind a surface", "blended", "that leaves", "that waits"}));
+
+    /* The last one is of INTERPENETRATE alone. */
+    static bench::Stimulus::Names some(bench::Stimulus::Names names) {
+        if (!INTERPENETRATE) names.pop_back();
+        return names;
+    }
+    void note() {
+        int taken = 0, waits = 0;
+        for (const Slot &s : slots)
+            taken += s.state != Slot::FREE, waits += s.state == Slot::WAITS;
+        const bool stalled = dut.in_valid_i && !dut.in_ready_o;
+        if (stalled) states.value(taken == SLOTS ? 0 : 1);
+        if (waits && !dut.primary_ready_i) states.value(4);
+        if (dut.pix_valid_o && !dut.pix_ready_i) states.value(3);
+        if (!taken) states.value(2);
+    }
+
+    /* In whatever state the slots are. */
+    void restart() {
+        for (Slot &s : slots) {
+            resets.value(s.state);
+            s = Slot();
+        }
+        dut.in_valid_i = dut.done_valid_i = dut.end_valid_i = 0;
+        bench::put(dut.blend_i, RT_BLEND_VALID, 0);
+        reset();
+        wanted = later = Hit();
+        asked = told_before = -1;
+        for (int i = 0; i < 2 * SLOTS; i++)
+            clock(false);
+    }
 
     void give_pixel(bool start) {
         if (!dut.in_valid_i && start && random.percent(pace[0])) {
@@ -329,5 +374,6 @@ int main(int argc, char **argv) {
     for (int i = 0; i < 2 * SLOTS; i++)
         b.clock(false);
     bench::phases(b, 100, 3000, 100000, "a pixel got lost");
+    if (b.all_vectors && !b.whole()) b.fail("less was driven than its list says");
     return b.finish();
 }

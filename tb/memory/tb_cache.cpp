@@ -10,13 +10,14 @@
  * fetched in order and whole, or up to the end of memory; outputs are stable while they wait; what
  * misses is what the model's cache says. Phases: cold and warm (hits a cycle, latency), random and
  * clustered lines, one set only, one line only, with and without stalls, errors and flushes, and
- * memory that ends at each place of a group.
+ * memory that ends at each place of a group, resets of cache and memory in each state.
  */
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <deque>
 #include <memory>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <unordered_map>
@@ -24,6 +25,7 @@
 #include "Vrt_cache.h"
 #include "Vrt_cache___024root.h"
 #include "bench.h"
+#include "stimulus.h"
 #include "cache_prediction.h"
 extern "C" {
 #include "tests/number.h"
@@ -70,6 +72,7 @@ struct Phase {
     bool flush;           /* first forget everything */
     bool flushes = false; /* now and then, whatever is under way */
     uint32_t end = 0;     /* lines of the pattern that memory has, 0: memory ends far away */
+    bool resets = false;  /* of both sides now and then, whatever is under way */
 };
 
 struct Fetch {
@@ -147,8 +150,8 @@ class Bench {
         }
         if (top_->miss_o != must_miss_) fail("another miss than the model's", top_->req_line_i);
         must_miss_ =
-            prediction_.clock(top_->req_valid_i, top_->req_ready_o, top_->req_line_i, true, seen);
-        if (prediction_.impossible()) fail("a lookup that the model refuses", top_->req_line_i);
+            prediction_->clock(top_->req_valid_i, top_->req_ready_o, top_->req_line_i, true, seen);
+        if (prediction_->impossible()) fail("a lookup that the model refuses", top_->req_line_i);
     }
 
     bool beyond(uint32_t line) const { return line >= top_->mem_lines_i; }
@@ -173,7 +176,7 @@ class Bench {
     bool shown_ = false;                              /* memory shows a line not yet taken */
     bool failed_ = false;
     Lru lru_;
-    CachePrediction prediction_{LINES, WAYS, GROUP};
+    std::optional<CachePrediction> prediction_{std::in_place, LINES, WAYS, GROUP};
     bool must_miss_ = false;
     uint32_t base_ = 0;
     uint32_t epoch_ = 0;
@@ -192,7 +195,85 @@ class Bench {
     uint32_t held_word_ = 0;
     bool held_mem_ = false; /* memory request was waiting in the last cycle */
     uint32_t held_line_ = 0;
+
+  public:
+    bench::Stimulus driven;
+
+  private:
+    enum { WAITS, OWED, ANSWER, IDLE }; /* what is under way; the later one counts, IDLE: nothing */
+    bench::Points &states_ = driven.values("handshake", handshakes());
+    bench::Points &at_line_ = driven.values("error in line of a group", numbers(GROUP));
+    bench::Points &flushed_ = driven.values("flush", under_way());
+    bench::Points &resets_ = driven.values("reset", under_way());
+
+    static bench::Stimulus::Names numbers(uint32_t n) {
+        bench::Stimulus::Names names;
+        for (uint32_t i = 0; i < n; i++)
+            names.push_back(std::to_string(i));
+        return names;
+    }
+    /* With two requests a line never comes before its turn. */
+    static bench::Stimulus::Names handshakes() {
+        bench::Stimulus::Names names = {"a request waits", "a request of memory waits",
+                                        "PENDING requests unanswered", "an answer waits",
+                                        "a line of memory waits"};
+        if (PENDING <= 2) names.pop_back();
+        return names;
+    }
+    static bench::Stimulus::Names under_way() {
+        return {"while a request waits", "while memory owes lines", "while an answer waits",
+                "while idle"};
+    }
+    void note();
+    void note_all(bench::Points &points);
+    void reset();
 };
+
+/* Each that is under way. */
+void Bench::note_all(bench::Points &points) {
+    if (top_->req_valid_i && !top_->req_ready_o) points.value(WAITS);
+    if (!memory_.empty()) points.value(OWED);
+    if (top_->rsp_valid_o && !top_->rsp_ready_i) points.value(ANSWER);
+    if (!top_->req_valid_i && memory_.empty() && !top_->rsp_valid_o) points.value(IDLE);
+}
+
+void Bench::note() {
+    if (top_->req_valid_i && !top_->req_ready_o) states_.value(0);
+    if (top_->mem_req_valid_o && !top_->mem_req_ready_i) states_.value(1);
+    if (top_->mem_rsp_valid_i && !top_->mem_rsp_ready_o) states_.value(4);
+    if (top_->rsp_valid_o && !top_->rsp_ready_i) states_.value(3);
+    if (top_->req_valid_i && !top_->req_ready_o && !memory_.empty() &&
+        std::count_if(waiting_.begin(), waiting_.end(), [](const Waiting &w) { return w.used; }) >=
+            PENDING)
+        states_.value(2);
+    if (top_->mem_rsp_valid_i && top_->mem_rsp_ready_o && head_error_)
+        at_line_.value(memory_.front().line % GROUP);
+    if (top_->flush_i) note_all(flushed_);
+}
+
+/* Of cache and memory; what was asked for is not answered. */
+void Bench::reset() {
+    note_all(resets_);
+    top_->rst = 1;
+    top_->flush_i = 0;
+    top_->req_valid_i = 0;
+    top_->mem_rsp_valid_i = 0;
+    for (int i = 0; i < 4; i++)
+        edge();
+    top_->rst = 0;
+    for (Waiting &w : waiting_)
+        w.used = false;
+    memory_.clear();
+    errors_.clear();
+    error_at_.clear();
+    group_ = 0;
+    head_error_ = group_error_ = shown_ = held_rsp_ = held_mem_ = must_miss_ = false;
+    misses_ = groups_;
+    lru_.forget();
+    prediction_.emplace(LINES, WAYS, GROUP);
+    epoch_++; /* a line that was kept is a wrong one */
+    progress_ = now_;
+}
 
 uint32_t Bench::word(uint32_t line, int i) const {
     uint64_t z = (static_cast<uint64_t>(epoch_) << 32 | line) * 8 + static_cast<unsigned>(i);
@@ -328,6 +409,7 @@ bool Bench::run(const Phase &phase, uint64_t requests, uint64_t seed) {
     top_->flush_i = phase.flush;
     top_->req_valid_i = 0;
     top_->mem_rsp_valid_i = 0;
+    if (phase.flush) note_all(flushed_);
     edge();
     top_->flush_i = 0;
     if (phase.flush) { /* other lines: each bit of their addresses is the other one */
@@ -351,6 +433,7 @@ bool Bench::run(const Phase &phase, uint64_t requests, uint64_t seed) {
         drive(phase, sent, requests);
         top_->eval();
         predict();
+        note();
         watch_response(&answered); /* before the request: its tag may be reused at once */
         bool taken = watch_request();
         sent += taken;
@@ -361,6 +444,10 @@ bool Bench::run(const Phase &phase, uint64_t requests, uint64_t seed) {
         now_++;
         if (taken) top_->req_valid_i = 0;
         if (now_ - progress_ > WATCHDOG) fail("deadlock", top_->req_line_i);
+        if (phase.resets && !failed_ && !below(2 * SETS + 150)) {
+            reset();
+            answered = sent;
+        }
     }
     top_->flush_i = 0;
     cycles_ = now_ - start;
@@ -411,7 +498,7 @@ int main(int argc, char **argv) {
                          "clustered: at most 1.1 times the misses of LRU");
 
     const Phase phases[] = {
-        {"uniform over all lines", UNIFORM, LINE_MASK, 0, 0, 0, 40, 0, true},
+        {"uniform over all lines", UNIFORM, LINE_MASK, 0, 0, 0, 400, 0, true},
         {"stalls everywhere", CLUSTERED, 2 * LINES, 30, 30, 50, 200, 0, true},
         {"slow client", CLUSTERED, 2 * LINES, 0, 90, 0, 8, 0, false},
         {"slow memory", CLUSTERED, 2 * LINES, 0, 0, 90, 200, 0, false},
@@ -424,6 +511,7 @@ int main(int argc, char **argv) {
         {"every line an error", UNIFORM, 2 * LINES, 0, 10, 10, 60, 100, true},
         {"flushes", CLUSTERED, 2 * LINES, 30, 10, 30, 60, 0, false, true},
         {"flushes, one set", ONE_SET, 2 * WAYS + 1, 10, 10, 30, 60, 10, true, true},
+        {"resets", CLUSTERED, 2 * LINES, 30, 30, 30, 60, 10, true, false, 0, true},
         {"after the errors", CLUSTERED, LINES, 10, 10, 10, 60, 0, false},
     };
     for (const Phase &phase : phases)
@@ -440,5 +528,6 @@ int main(int argc, char **argv) {
         for (const Phase &phase : ends)
             good = good && bench.run(phase, n, seed);
     }
+    good = good && (argc > 2 || bench.driven.whole());
     return good ? 0 : 1;
 }

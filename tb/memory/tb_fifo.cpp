@@ -7,6 +7,7 @@
  * mostly full, or wraps at every fill; it is never pushed into while it is full (that stops the
  * simulation, by design). Checked in every cycle: order and value of the words, ready exactly when
  * there is room, valid exactly when there is a word, one cycle after the push into an empty queue.
+ * A reset in each state empties it.
  */
 #include <cstdio>
 #include <cstdlib>
@@ -14,6 +15,7 @@
 #include <type_traits>
 #include "Vrt_fifo.h"
 #include "bench.h"
+#include "stimulus.h"
 extern "C" {
 #include "tests/number.h"
 }
@@ -42,14 +44,31 @@ struct Bench {
     bench::Random random;
     Vrt_fifo top;
     std::deque<uint64_t> model;
+    bench::Stimulus driven;
+    bench::Points &states = driven.values(
+        "handshake", {"empty, and asked", "full, and asked", "full, and not asked",
+                      "one place left, pushed", "pushed and popped", "popped alone of full"});
+    bench::Points &resets = driven.values("reset", {"while empty", "while in use", "while full"});
 
-    explicit Bench(uint64_t seed) : random(seed << 32) {
+    explicit Bench(uint64_t seed) : random(seed << 32) { reset(); }
+
+    void reset() {
         top.rst = 1;
         top.in_valid_i = 0;
         top.out_ready_i = 0;
         clock();
         clock();
         top.rst = 0;
+        model.clear();
+    }
+
+    void note(bool room, bool push) {
+        const bool word = !model.empty(), asked = top.out_ready_i;
+        if (!word && asked) states.value(0);
+        if (!room) states.value(asked ? 1 : 2);
+        if (push && model.size() == DEPTH - 1) states.value(3);
+        if (push && word && asked) states.value(4);
+        if (!room && asked) states.value(5);
     }
 
     void clock() {
@@ -81,6 +100,7 @@ bool Bench::run(const Phase &phase, uint64_t cycles, uint64_t seed) {
             printf("# cycle %llu of %s: %zu words, ready %d valid %d data %llx\n",
                    static_cast<unsigned long long>(c), phase.name, model.size(), top.in_ready_o,
                    top.out_valid_o, static_cast<unsigned long long>(top.out_data_o));
+        note(room, push);
         full += !room;
         empty += model.empty();
         if (!model.empty() && top.out_ready_i) model.pop_front();
@@ -90,6 +110,9 @@ bool Bench::run(const Phase &phase, uint64_t cycles, uint64_t seed) {
         }
         clock();
         if (Verilated::gotFinish()) good = false;
+        if (random.below(200)) continue;
+        resets.value(model.empty() ? 0 : model.size() < DEPTH ? 1 : 2);
+        reset();
     }
     printf("%sok tb_fifo %s seed %llu: %s, %llu words\n", good ? "" : "not ", PROFILE,
            static_cast<unsigned long long>(seed), phase.name,
@@ -112,5 +135,5 @@ int main(int argc, char **argv) {
     bool good = true;
     for (const Phase &phase : phases)
         good = good && bench.run(phase, n, seed);
-    return good ? 0 : 1;
+    return good && (argc > 2 || bench.driven.whole()) ? 0 : 1;
 }

@@ -35,6 +35,9 @@ class Memory {
         for (uint32_t i = 0; i < IMAGES; i++) {
             images[i] = i % 4 == 3 ? 1u << 19 | (uint32_t)r.below(1 << 18) : line;
             put_image(r, images[i], i < LARGE);
+            if (i == LARGE) /* one level too many */
+                sph_field_set(&words[images[i] * SPH_LINE_WORDS], SPH_IMAGE_LEVELS_LSB,
+                              SPH_IMAGE_LEVELS_BITS, SPH_TEXTURE_LEVELS + 1);
             line += 1 + (uint32_t)r.below(400);
         }
         for (uint32_t i = 0; i < MAPS; i++)

@@ -36,7 +36,7 @@ static void put(void *user, uint64_t address, const uint8_t *from, uint32_t coun
 }
 
 /* A byte of linear light as people see it (IEC 61966-2-1). */
-static uint8_t seen(uint32_t byte) {
+static uint8_t coded(uint32_t byte) {
     double light = byte / 255.0;
     double code = light <= 0.0031308 ? 12.92 * light : 1.055 * pow(light, 1 / 2.4) - 0.055;
     return (uint8_t)lround(255 * code);
@@ -51,7 +51,7 @@ static bool picture(Checks &c, const sph_frame &size, uint64_t store, const std:
         for (int x = 0; x < size.width; x++) {
             const uint8_t *p = &c.top.bytes[(store + (uint32_t)y * c.stride) % TopHost::MEMORY];
             for (int channel = 2; channel >= 0; channel--)
-                fputc(seen(p[4 * x + channel]), to);
+                fputc(coded(p[4 * x + channel]), to);
         }
     return fclose(to) == 0;
 }
@@ -81,14 +81,14 @@ class Moving {
         records_[0] = prims_, records_[1] = lines_ + prims_;
         grounds_[0] = ground_, grounds_[1] = records_[1] + n_;
     }
-    /* Loads the first machine, and builds its tree; its own is gone. */
-    void first(uint32_t base) {
+    /* Loads the first machine; its own tree is gone. */
+    uint32_t first(uint32_t base) {
         base_ = HIGH_SCENE + base;
         c_.equals("load", (uint64_t)c_.load(*all_, base), SPHAERA_OK);
         for (uint32_t i = 0; i < 32 * prims_; i++)
             c_.top.bytes[(base_ + i) % TopHost::MEMORY] = (uint8_t)c_.top.random.next();
         registers(*all_, 0);
-        build();
+        return 32 * lines_;
     }
     /* Writes what is new of the machine of frame `number`; returns bytes. */
     uint32_t move(std::shared_ptr<Golden> to, int number) {
@@ -139,7 +139,7 @@ class Moving {
             sphaera_set(&c_.top.driver, i, set_values_[i] = value);
         }
         set_ = true;
-        const struct sphaera_trees trees = {n_, records_[at], {0, lines_}, prims_};
+        const struct sphaera_trees trees = {n_, records_[at], {0, lines_}, prims_, 0};
         c_.equals("trees", (uint64_t)sphaera_trees(&c_.top.driver, &trees), SPHAERA_OK);
     }
     Checks &c_;
@@ -149,6 +149,40 @@ class Moving {
     bool set_ = false;
     uint32_t set_values_[SPHAERA_MACHINE_REGISTERS] = {};
 };
+
+/* What a machine costs before its frame: clocks of its upload, bytes; clocks of its tree. */
+struct Given {
+    uint64_t clocks;
+    uint32_t bytes, build;
+};
+
+/* Gives rt_top the machine of frame `number`. */
+static Given give(Checks &c, Moving *moving, const std::shared_ptr<Golden> &to, int number) {
+    Given given = {c.top.cycle, 32 * to->machine.lines, 0};
+    if (moving)
+        given.bytes = number ? moving->move(to, number) : moving->first(HALF[0]);
+    else
+        c.equals("load", (uint64_t)c.load(*to, HALF[number % 2]), SPHAERA_OK);
+    given.clocks = c.top.cycle - given.clocks;
+    if (moving) given.build = moving->build();
+    return given;
+}
+
+/* A frame that is complete, against its machine; its row of the table. */
+static void frame(Checks &c, const Golden &now, const Given &given, uint64_t clocks, FILE *table) {
+    uint64_t n[SPHAERA_COUNTS];
+    c.equals("errors", sphaera_errors(&c.top.driver), 0);
+    sphaera_counters(&c.top.driver, n);
+    c.same(now, c.newest(), Checks::depth(now));
+    for (int k = 0; c.builds() && k < SPH_COUNTERS; k++)
+        if (sph_counter_both(k)) c.equals("a counter", n[k], now.counters.count[k]);
+    fprintf(table, "%u\t%llu\t%llu\t%llu\t%.2f\t", 32 * now.machine.lines,
+            (unsigned long long)given.clocks, (unsigned long long)n[SPHAERA_COUNT_CYCLES],
+            (unsigned long long)clocks,
+            (double)n[SPHAERA_COUNT_WRITE_PIXELS] / (double)n[SPHAERA_COUNT_WRITE_BURSTS]);
+    if (c.builds()) fprintf(table, "%u\t%u", given.bytes, given.build);
+    fprintf(table, c.builds() ? "\n" : "\t\n");
+}
 
 int main(int argc, char **argv) {
     if (argc < 6) {
@@ -174,52 +208,28 @@ int main(int argc, char **argv) {
     auto now = std::make_shared<Golden>(argv[first]);
     bool fits = c->place(*now) && now->file.size() <= HALF[1];
     std::unique_ptr<Moving> moving;
-    uint64_t upload = t.cycle;
-    uint32_t moved = 32 * now->machine.lines, build = 0;
     if (c->builds()) {
         moving = std::make_unique<Moving>(*c, now);
         fits = fits && moving->fits(STORE);
     }
-    if (fits && moving)
-        moving->first(HALF[0]);
-    else
-        c->equals("load", (uint64_t)c->load(*now, HALF[0]), SPHAERA_OK);
-    upload = t.cycle - upload;
-    if (moving) upload -= build = t.read(SPHAERA_BUILD_CLOCKS);
+    Given given = {}, next_given = {};
+    if (fits) given = give(*c, moving.get(), now, 0);
     for (int i = first; fits && i < argc; i++) {
         t.scene.behave(manner);
         t.frame.behave(manner);
         sphaera_handle(&t.driver);
         t.irq_at = 0;
-        uint64_t begin = t.cycle, next_upload = 0, n[SPHAERA_COUNTS];
-        uint32_t next_moved = 0, next_build = 0;
+        uint64_t begin = t.cycle;
         c->equals("start", (uint64_t)sphaera_start(&t.driver, 0), SPHAERA_OK);
         std::shared_ptr<Golden> next;
         if (i + 1 < argc) {
             next = std::make_shared<Golden>(argv[i + 1]);
             fits = next->file.size() <= HALF[1];
-            next_upload = t.cycle;
-            if (moving)
-                next_moved = moving->move(next, i + 1 - first);
-            else
-                c->equals("load", (uint64_t)c->load(*next, HALF[(i + 1 - first) % 2]), SPHAERA_OK);
-            next_upload = t.cycle - next_upload;
-            if (moving) next_build = moving->build();
+            next_given = give(*c, moving.get(), next, i + 1 - first);
         }
-        uint64_t end = c->finish_frame();
-        c->equals("errors", sphaera_errors(&t.driver), 0);
-        sphaera_counters(&t.driver, n);
-        c->same(*now, c->newest(), Checks::depth(*now));
-        for (int k = 0; moving && k < SPH_COUNTERS; k++)
-            if (sph_counter_both(k)) c->equals("a counter", n[k], now->counters.count[k]);
-        fprintf(table, "%u\t%llu\t%llu\t%llu\t%.2f\t", 32 * now->machine.lines,
-                (unsigned long long)upload, (unsigned long long)n[SPHAERA_COUNT_CYCLES],
-                (unsigned long long)(end - begin),
-                (double)n[SPHAERA_COUNT_WRITE_PIXELS] / (double)n[SPHAERA_COUNT_WRITE_BURSTS]);
-        if (moving) fprintf(table, "%u\t%u", moved, build);
-        fprintf(table, moving ? "\n" : "\t\n");
+        frame(*c, *now, given, c->finish_frame() - begin, table);
         pictures(*c, *now, folder, i - first);
-        upload = next_upload, moved = next_moved, build = next_build;
+        given = next_given;
         now = std::move(next);
     }
     c->note("the table is written", fclose(table) == 0);

@@ -37,7 +37,8 @@ struct Groups {
     }
 };
 
-/* Groups of a few places anywhere in 16384 x 16384: whole ones, and a pixel here and there. */
+/* Groups of a few places anywhere in 16384 x 16384: whole ones, and a pixel here and there; or
+ * hardly any, so that the last one is the only one that is not written. */
 std::vector<Pixel> pixels(bench::Random &r) {
     std::vector<Pixel> made;
     int columns[3], rows[6];
@@ -45,7 +46,8 @@ std::vector<Pixel> pixels(bench::Random &r) {
         column = (int)r.below(2048) * 8;
     for (int &row : rows)
         row = (int)r.below(16384);
-    while (made.size() < 300) {
+    const size_t many = r.percent(50) ? 300 : 1 + r.below(3);
+    while (made.size() < many) {
         const int x = columns[r.below(3)], y = rows[r.below(6)], first = (int)r.below(8);
         const int n = r.percent(40) ? 9 : 1; /* the ninth is the first once more */
         for (int i = 0; i < n; i++) {
@@ -68,7 +70,7 @@ static void scripted(Checks &c, const Golden &any) {
     t.frame.behave({});
     c.load(any, SCENE_A);
     core.scripted = true;
-    for (int i = 0; i < 12; i++) {
+    for (int i = 0; i < 24; i++) {
         std::map<uint64_t, uint8_t> wanted, written;
         const unsigned mux = (unsigned)t.random.below(4);
         const bool half = t.random.percent(50);
@@ -86,9 +88,13 @@ static void scripted(Checks &c, const Golden &any) {
         sphaera_mux(&t.driver, mux);
         sphaera_set(&t.driver, SPH_REG_MEM_LINES, 8 + 4 * i);
         t.scene.behave({});
-        t.frame.behave({});
+        Manner slow;
+        slow.stall = (unsigned)(i % 3) * 40;
+        t.frame.behave(slow);
         t.frame.log = &written;
         c.equals("start", (uint64_t)sphaera_start(&t.driver, 0), SPHAERA_OK);
+        c.equals("a register while it goes to the core",
+                 t.read(SPHAERA_MACHINE + 4 * SPH_REG_MEM_LINES), 8 + 4 * (uint64_t)i);
         c.equals("wait", (uint64_t)sphaera_wait(&t.driver, POLLS),
                  core.errors ? SPHAERA_FAILED : SPHAERA_OK);
         t.frame.log = nullptr;

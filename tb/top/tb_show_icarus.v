@@ -1,7 +1,7 @@
 // tb_show_icarus.v - rt_top in Icarus: registers and memory in, symbols out, each picture compared
 // SPDX-License-Identifier: Apache-2.0
-// CORE_PARAMETERS, WIDTH, HEIGHT, LAYERS and BUILD are macros; +machine, +memory, +frame are files that
-// lab/top/golden.py writes: registers, words of 64 bits, the golden model's pixels. A picture
+// CORE_PARAMETERS, WIDTH, HEIGHT, LAYERS, BUILD are macros; +machine, +memory, +frame are files
+// that lab/top/golden.py writes: registers, words of 64 bits, the golden model's pixels. A picture
 // is black as long as no frame is complete; three that follow must be the frame. With LAYERS MUX
 // then changes within a picture, and the next ones show its layer. With BUILD the machine is one of
 // tree `hw`, which loses its tree: rt_top builds it. Prints `ok` or `not ok` and ends by itself.

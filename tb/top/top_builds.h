@@ -16,7 +16,7 @@ class Builds {
   public:
     /* Lines behind SCENE_A that hold what is drawn here: trees, records, lines between them. */
     static constexpr uint32_t FROM = 0x1000, LINES = 0x800;
-    enum Trouble { NONE, MANY, ROOM, RECORD, READ, WRITE, TROUBLES, SILENCE };
+    enum Trouble { NONE, MANY, ROOM, RECORD, READ, WRITE, ORDER, TROUBLES, SILENCE };
 
     Builds(Checks &checks, const Golden &a)
         : c_(checks), t_(checks.top), profile_(a.machine.profile),
@@ -29,7 +29,11 @@ class Builds {
     uint32_t *line(uint32_t number) { return (uint32_t *)&t_.bytes[SCENE_A + 32 * number]; }
     uint32_t most() const { return most_; }
     bool valid() const { return places_.valid; }
-    void forget() { places_.valid = 0; }
+    void forget() {
+        places_.valid = 0;
+        sph_bt_forget(&kept_);
+    }
+    ~Builds() { sph_bt_forget(&kept_); }
 
     void interrupts(bool on) {
         interrupts_ = on;
@@ -40,7 +44,11 @@ class Builds {
         for (uint32_t i = 0; i < LINES * SPH_LINE_WORDS; i++)
             line(FROM)[i] = (uint32_t)t_.random.next();
         const uint32_t least = trouble == SILENCE ? most_ / 2 : trouble != NONE;
-        const uint32_t n = (uint32_t)t_.random.between(least, most_);
+        uint32_t n = (uint32_t)t_.random.between(least, most_);
+        int mode = (int)t_.random.below(3);
+        if (trouble == ORDER) mode = 3;
+        if (mode == SPH_BUILD_REFIT && kept_.order) n = kept_.n;
+        if (mode == SPH_BUILD_REFIT && (n < least || !kept_.order)) mode = SPH_BUILD_CURVE;
         std::vector<sph_bt_leaf> leaves(n + 1);
         drawn_spheres((drawn_kind)t_.random.below(DRAWN_KINDS), leaves.data(), n, &profile_, next,
                       &t_.random);
@@ -48,7 +56,7 @@ class Builds {
         uint32_t at = FROM;
         for (uint32_t &tree : places_.tree)
             tree = at += (uint32_t)t_.random.below(9), at += room;
-        job_ = {n, at + (uint32_t)t_.random.below(9), 0, room};
+        job_ = {n, at + (uint32_t)t_.random.below(9), 0, room, mode, &kept_};
         for (uint32_t id = 0; id < n; id++)
             drawn_record(line(job_.prim_base + id), id, &leaves[id], t_.random.next());
         const uint32_t one = (uint32_t)t_.random.below(n ? n : 1);
@@ -71,13 +79,16 @@ class Builds {
         expected_.assign(line(FROM), line(FROM) + LINES * SPH_LINE_WORDS);
         c_.equals("build", (uint64_t)sphaera_build(&t_.driver, 0), SPHAERA_OK);
         /* what is written now counts from the next one on */
-        for (uint32_t at = SPHAERA_BUILD_COUNT; at <= SPHAERA_BUILD_LINES; at += 4)
+        for (uint32_t at = SPHAERA_BUILD_COUNT; at <= SPHAERA_BUILD_MODE; at += 4)
             t_.write(at, (uint32_t)t_.random.next());
         t_.write(SPHAERA_SCENE_BASE, SCENE_B);
     }
     void settings(uint32_t n) {
-        const struct sphaera_trees trees = {
-            n <= most_ ? n : 0, job_.prim_base, {places_.tree[0], places_.tree[1]}, job_.lines};
+        const struct sphaera_trees trees = {n <= most_ ? n : 0,
+                                            job_.prim_base,
+                                            {places_.tree[0], places_.tree[1]},
+                                            job_.lines,
+                                            (unsigned)job_.mode};
         c_.equals("trees", (uint64_t)sphaera_trees(&t_.driver, &trees), SPHAERA_OK);
         if (n > most_) t_.write(SPHAERA_BUILD_COUNT, n);
         t_.write(SPHAERA_SCENE_BASE, SCENE_A);
@@ -124,6 +135,7 @@ class Builds {
     uint32_t most_;
     sph_bt_places places_ = {};
     sph_bt_job job_ = {};
+    sph_bt_kept kept_ = {};
     Trouble trouble_ = NONE;
     bool interrupts_ = false;
     std::vector<uint32_t> expected_;
@@ -229,7 +241,7 @@ static void built_frames(Checks &c, const Golden &a) {
     TopHost &t = c.top;
     const uint32_t n = (uint32_t)a.machine.regs[SPH_REG_N_PRIMS], lines = a.machine.lines;
     const uint32_t from = (uint32_t)a.machine.regs[SPH_REG_PRIM_BASE];
-    struct sphaera_trees trees = {n, from, {lines, lines + 2 * n}, 2 * n};
+    struct sphaera_trees trees = {n, from, {lines, lines + 2 * n}, 2 * n, 0};
     const auto noise =
         [&](int place) { /* where the newest tree is not */
                          const bool newest = t.read(SPHAERA_STATUS) & SPHAERA_STATUS_TREE;

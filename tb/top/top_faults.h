@@ -63,7 +63,12 @@ static void resets(Checks &c, const Golden &a, const Golden &b) {
             c.equals("open", (uint64_t)sphaera_open(&t.driver, &bus), SPHAERA_OK);
             c.store(c.stride, c.rgb565);
         } else if (how == 1) {
+            t.write(SPHAERA_INTERRUPTS, SPHAERA_INTERRUPTS_FRAME_DONE);
+            const bool drawing = t.read(SPHAERA_STATUS) & SPHAERA_STATUS_BUSY;
             sphaera_stop(&t.driver);
+            if (drawing) /* and by now it is told */
+                c.equals("a frame ended",
+                         t.read(SPHAERA_INTERRUPTS) & SPHAERA_INTERRUPTS_FRAME_DONE, 1);
         } else {
             c.equals("reset", (uint64_t)sphaera_reset(&t.driver, 0, POLLS), SPHAERA_OK);
             c.equals("no errors are left", t.read(SPHAERA_ERRORS), 0);

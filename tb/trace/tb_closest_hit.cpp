@@ -4,7 +4,8 @@
  * Every slot lives through rays of some visits; results of all slots arrive interleaved. Between
  * visits the three read ports ask for any slot. A vector is a token or an answer. What is not
  * elaborated gets inputs all the same. First come the corners, then the pairs of hits of
- * tests/hard: both orders of arrival with both orders of ids.
+ * tests/hard: both orders of arrival with both orders of ids. A reset in each state of a slot
+ * leaves nothing behind.
  */
 #include <algorithm>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "Vrt_closest_hit.h"
 #include "bench.h"
 #include "hard.h"
+#include "stimulus.h"
 
 extern "C" {
 #include "trace/bih.h"
@@ -161,16 +163,25 @@ class Run {
         if (!b.more() || (hard::alone() && seen == directed.size())) return false;
         ask();
         give_result();
+        note();
         begin_ray(begin_visit());
+        met.clock(b.dut.in_valid_i |
+                  (!tokens.empty() && tokens.front().second + LATENCY == b.cycle + 1) << 1 |
+                  b.dut.new_valid_i << 2 | b.dut.want_valid_i << 3 |
+                  (ports[0].valid && ports[1].valid && ports[2].valid) << 4);
+        if (b.dut.want_valid_i) counts.value(b.dut.want_count_i - 1);
         b.tick();
         for (int i = 0; i < 3; i++)
             if (ports[i].valid) answer(i);
         token();
+        if (seen == directed.size() && !b.random.below(2000)) reset();
         return true;
     }
 
     int finish() {
         if (b.all_vectors && seen < directed.size()) b.fail("not all directed rays were driven");
+        if (b.all_vectors && !hard::alone() && !driven.whole())
+            b.fail("less was driven than its list says");
         return b.finish();
     }
 
@@ -182,6 +193,41 @@ class Run {
     size_t corner = 0, seen = 0;
     Port ports[3];
     Slot asked[3]; /* as the slots were when they were asked for */
+    bench::Stimulus driven;
+    bench::Points &apart = driven.values("clocks between results of a slot", {"1", "2", "3"});
+    bench::Points &met =
+        driven.together("a clock", {"a result", "a token", "a new ray", "a visit", "three reads"});
+    bench::Points &counts = driven.values("results of a visit", {"1", "2", "3", "4"});
+    bench::Points &resets = driven.values(
+        "reset", {"with a slot idle", "ready", "in a visit", "with results under way"});
+    int before[3] = {-1, -1, -1}; /* slots of results, 1, 2, 3 clocks ago */
+
+    void note() {
+        const bool result = b.dut.in_valid_i;
+        for (int i = 0; result && i < 3; i++)
+            if (before[i] == b.dut.in_slot_i) {
+                apart.value(i);
+                break;
+            }
+        before[2] = before[1];
+        before[1] = before[0];
+        before[0] = result ? b.dut.in_slot_i : -1;
+    }
+
+    void reset() {
+        for (const Slot &s : slots)
+            resets.value(s.state);
+        b.dut.want_valid_i = b.dut.new_valid_i = b.dut.in_valid_i = 0;
+        b.dut.filter_valid_i = b.dut.next_valid_i = b.dut.done_valid_i = 0;
+        b.reset();
+        for (int i = 0; i < SLOTS; i++)
+            b.tick();
+        tokens = {};
+        for (Slot &s : slots)
+            s = Slot{};
+        for (int &slot : before)
+            slot = -1;
+    }
 
     int any() { return (int)b.random.below(SLOTS); }
 

@@ -44,6 +44,7 @@ class FrameStore {
     uint64_t error_beats = 0, beats = 0, bursts = 0;
     bool nothing = false;                    /* no frame is complete */
     unsigned depth = 0;                      /* most bursts on their way so far */
+    unsigned room = ~0u;                     /* most beats that may be on their way */
     std::deque<std::vector<uint32_t>> taken; /* pictures, as they should be shown */
     std::string what;                        /* a rule that was broken */
 
@@ -56,8 +57,11 @@ class FrameStore {
     /* The bus is reset: nothing is owed. */
     void reset() {
         owed.clear();
-        waiting = next_valid = false;
+        waiting = next_valid = next_ready = false;
+        forgotten = asked;
     }
+    /* What a reset comes into: 0 nothing, 1 an address that waits, 2 beats that are owed. */
+    int state() const { return waiting ? 1 : owed.empty() ? 0 : 2; }
 
     /* One clock, before its edge: looks at the outputs and sets the inputs of the next clock. */
     template <class Top> void clock(Top &dut) {
@@ -104,6 +108,9 @@ class FrameStore {
     std::vector<uint8_t> frame[3];
     unsigned shown = 0;
     bool show_valid = false, next_ready = false, next_valid = false, waiting = false;
+    /* since the last take: of its frame something was asked for; an address of the one before
+     * waits; the bus was reset behind that */
+    bool asked = false, late = false, forgotten = false;
     uint32_t wait_addr = 0, wait_len = 0;
     std::deque<Burst> owed;
     uint8_t data[16] = {0};
@@ -133,7 +140,14 @@ class FrameStore {
         const uint32_t offset = at - base[frame_at(at)];
         if (!inside(form, offset, n) && !inside(before, offset, n))
             fail("a read beside the rows of a frame");
+        if (forgotten) fail("the rest of a frame is asked for behind a reset of the bus");
+        if (!late) asked = true;
+        late = false;
         owed.push_back({at, n, 1 + latency});
+        unsigned left = 0;
+        for (const Burst &b : owed)
+            left += b.left;
+        if (left > room) fail("more beats on their way than the queue has words");
         bursts++;
         if (owed.size() > depth) depth = (unsigned)owed.size();
     }
@@ -151,6 +165,8 @@ class FrameStore {
     /* What rt_frames does, but any frame at any time. */
     void take() {
         std::vector<uint32_t> picture((size_t)form.width * form.height, 0);
+        asked = forgotten = false;
+        late = waiting;
         for (uint8_t &b : frame[shown])
             b = (uint8_t)random.next();
         show_valid = !nothing;

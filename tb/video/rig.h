@@ -65,8 +65,9 @@ class Rig {
         dut.pix_rst = pix_edges > 0;
         const uint64_t until_clk = clocks + clk_edges, until_pix = pixels + pix_edges;
         while (dut.rst || dut.pix_rst) {
+            const uint64_t before = clocks;
             step();
-            if (dut.rst) store.reset();
+            if (dut.rst && clocks != before) store.reset();
             dut.rst = dut.rst && clocks < until_clk;
             dut.pix_rst = dut.pix_rst && pixels < until_pix;
             dut.eval();
@@ -76,9 +77,11 @@ class Rig {
     }
     /* The bus is reset while the display runs on. */
     void reset_bus() {
-        store.reset();
         dut.forget_i = 1;
+        dut.m_scan_arready = dut.m_scan_rvalid = 0;
         run_clocks(1);
+        store.reset();
+        store.drive(dut);
         dut.forget_i = 0;
         dut.eval();
     }

@@ -10,6 +10,7 @@
  *     the bus dies for a while: underruns are told, one for each picture that misses pixels; these
  *         are black from there on; the first that begins after the bus is back, or was reset by
  *         itself, is right again
+ *     the bus is reset by itself in mid-frame: the rest of that frame is not asked for
  *     a reset of either side or both, of a clock or more, in mid-frame
  *     off and on again, at once or later, with another mode
  *     no frame is complete: black, and no underrun
@@ -17,6 +18,7 @@
  * With PRESETS the modes of modes.def are shown instead, a whole picture of each.
  */
 #include "bench.h"
+#include "stimulus.h"
 #include "video/rig.h"
 
 #ifndef DATA
@@ -35,8 +37,9 @@ using video::Mode;
 using video::Rig;
 using video::Shape;
 
-enum Event { NOTHING, BUS_DIES, RESET, OFF_AND_ON, NO_FRAME, ERRORS, EVENTS };
-const char *const EVENT[] = {"nothing", "bus dies", "reset", "off and on", "no frame", "errors"};
+enum Event { NOTHING, BUS_DIES, BUS_RESET, RESET, OFF_AND_ON, NO_FRAME, ERRORS, EVENTS };
+const char *const EVENT[] = {"nothing",    "bus dies", "bus reset", "reset",
+                             "off and on", "no frame", "errors"};
 
 /* A mode of which the bus can keep up: rows and blanking are long enough for their beats. What the
  * queue cannot hold of a row must come while its pixels are shown. With a bit, of the 13 of each of
@@ -65,6 +68,8 @@ Mode make_mode(bench::Random &random, const Rig &rig, Shape &s, int bit) {
     }
     s = {m.h_active, m.v_active, random.percent(50), random.percent(50), 0};
     s.stride = (s.row_bytes() + 15) / 16 * 16 + 16 * (unsigned)random.below(3);
+    const unsigned far = 16u << random.below(12); /* with each bit, if the rows are few */
+    if (random.percent(30) && far >= s.stride && far * m.v_active < 1u << 18) s.stride = far;
     const unsigned beats = s.row_bytes() / (DATA / 8) + 1, bursts = beats / BURST + 2;
     const double slow = 1e4 / ((100 - rig.store.stalls) * (100 - rig.store.stalls));
     const double clk = (double)rig.clk_period / (double)rig.pix_period;
@@ -79,7 +84,10 @@ Mode make_mode(bench::Random &random, const Rig &rig, Shape &s, int bit) {
 class Check {
   public:
     explicit Check(bench::Bench<Vrt_video> &bench)
-        : b(bench), rig(bench.dut, bench.random, DATA / 8) {}
+        : b(bench), rig(bench.dut, bench.random, DATA / 8) {
+        rig.store.room = DEPTH;
+    }
+    bench::Stimulus driven;
 
     void vector(Event event) {
         bench::Random &random = b.random;
@@ -95,8 +103,10 @@ class Check {
             rig.clk_period = rig.pix_period;
             rig.store.stalls = 0;
             bit_ = (int)(n / 2);
-        } else
+        } else {
             bit_ = -1;
+            if (event == RESET || event == BUS_RESET) rig.store.stalls += 10;
+        }
         const uint64_t underruns = rig.underruns, wrong = rig.pictures - rig.right;
         begin();
         rig.run_pictures(1 + random.below(3));
@@ -109,7 +119,8 @@ class Check {
         if (event != RESET && told != black && told != black + 1)
             rig.fail("underruns: " + std::to_string(told) +
                      " told, wrong pictures: " + std::to_string(black));
-        if (event != BUS_DIES && told) rig.fail("an underrun with a bus that is fast enough");
+        if (event != BUS_DIES && event != BUS_RESET && told)
+            rig.fail("an underrun with a bus that is fast enough");
         if (rig.errors != rig.store.error_beats) rig.fail("errors of the bus are not told");
         if (rig.wrong) report(event);
         count[event]++;
@@ -152,6 +163,12 @@ class Check {
     void begin() {
         Shape s{};
         const Mode m = make_mode(b.random, rig, s, bit_);
+        lengths_.value(bit_);
+        shapes_.value(m.h_pol + 2 * m.v_pol);
+        shapes_.value(s.twice ? 4 + m.h_active % 2 : -1);
+        shapes_.value(s.row_bytes() <= DATA / 8 ? 6 : s.row_bytes() <= DATA / 8 * BURST ? 7 : 8);
+        for (int i = 4; i < 16; i++)
+            stride_.value(s.stride >> i & 1 ? i - 4 : -1);
         rig.set(m, s);
         b.settle();
         rig.enable(true);
@@ -160,6 +177,35 @@ class Check {
   private:
     bench::Bench<Vrt_video> &b;
     enum { LENGTHS = 8 };
+    static bench::Stimulus::Names every(const bench::Stimulus::Names &first,
+                                        const bench::Stimulus::Names &then) {
+        bench::Stimulus::Names all;
+        for (const std::string &a : first)
+            for (const std::string &z : then)
+                all.push_back(a + ", " + z);
+        return all;
+    }
+    static bench::Stimulus::Names bits(int from, int to) {
+        bench::Stimulus::Names all;
+        for (int i = from; i < to; i++)
+            all.push_back("bit " + std::to_string(i));
+        return all;
+    }
+    bench::Points &events_ =
+        driven.values("event", every({EVENT, EVENT + EVENTS},
+                                     {"XRGB8888", "RGB565", "XRGB8888 doubled", "RGB565 doubled"}));
+    bench::Points &resets_ =
+        driven.values("reset", every({"clk", "pix_clk", "both", "the bus"},
+                                     {"nothing is owed", "an address waits", "beats are owed"}));
+    bench::Points &lengths_ =
+        driven.values("alone in its length", every({"h_active", "h_front", "h_sync", "h_back",
+                                                    "v_active", "v_front", "v_sync", "v_back"},
+                                                   bits(0, 13)));
+    bench::Points &shapes_ =
+        driven.values("mode", {"both syncs low", "hsync high", "vsync high", "both syncs high",
+                               "an even width doubled", "an odd width doubled", "rows of a beat",
+                               "rows of a burst", "rows of more"});
+    bench::Points &stride_ = driven.values("stride", bits(4, 16));
     unsigned count[EVENTS] = {0}, vectors_ = 0;
     int bit_ = -1; /* of the lengths of a mode: make_mode() */
 
@@ -172,10 +218,20 @@ class Check {
         const uint64_t frame = (uint64_t)rig.mode.h_total() * rig.mode.v_total();
         rig.run_clocks((unsigned)b.random.below(frame * rig.pix_period / rig.clk_period + 1));
     }
+    /* Until the bus is in one of its states, if it comes to that within two frames; addresses wait
+     * for a bus that stalls alone. */
+    void in_state() {
+        const int state = rig.store.stalls && b.random.percent(70) ? 1 : 2 * (int)b.random.below(2);
+        const uint64_t frame = (uint64_t)rig.mode.h_total() * rig.mode.v_total();
+        for (uint64_t n = 2 * frame * rig.pix_period / rig.clk_period;
+             n && rig.store.state() != state; n--)
+            rig.run_clocks(1);
+    }
     void happens(Event event) {
         bench::Random &random = b.random;
         const uint64_t underruns = rig.underruns;
         anywhere();
+        events_.value(4 * event + 2 * rig.shape.twice + rig.shape.rgb565);
         switch (event) {
         case BUS_DIES:
             rig.must_be_right = ~0ull;
@@ -187,8 +243,17 @@ class Check {
             rig.must_be_right = rig.takes;
             if (rig.underruns == underruns) rig.fail("no underrun, and the bus is dead");
             break;
+        case BUS_RESET:
+            in_state();
+            rig.must_be_right = ~0ull;
+            resets_.value(9 + rig.store.state());
+            rig.reset_bus();
+            rig.must_be_right = rig.takes;
+            break;
         case RESET: {
-            const unsigned how = (unsigned)random.below(3);
+            const unsigned how = count[RESET] % 3;
+            in_state();
+            resets_.value(3 * (int)how + rig.store.state());
             rig.reset(how != 1 ? 1 + (unsigned)random.below(5) : 0,
                       how != 0 ? 1 + (unsigned)random.below(5) : 0);
             break;
@@ -248,6 +313,9 @@ int main(int argc, char **argv) {
         check.vector((Event)(i % EVENTS));
         b.done();
     }
+    if (b.all_vectors && !b.mismatches && !check.driven.whole()) b.fail("the list of stimulus");
+    if (b.all_vectors && check.rig.store.depth != DEPTH - BURST + 1)
+        b.fail("rows of a beat have not as many bursts on their way as the page says");
 #endif
     check.summary();
     return b.finish();

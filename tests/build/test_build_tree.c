@@ -22,7 +22,7 @@ static uint64_t next(void *of) {
 static void draw(enum drawn_kind kind, uint32_t n, const struct sph_profile *p,
                  struct sph_bt_job *job) {
     drawn_spheres(kind, leaves, n, p, next, NULL);
-    *job = (struct sph_bt_job){n, 3, n + 5, (uint32_t)sph_bt_lines(n), SPH_BUILD_CURVE, NULL};
+    *job = (struct sph_bt_job){n, 3, n + 5, (uint32_t)sph_bt_lines(n), SPH_BUILD_CURVE, 0, NULL};
     for (size_t i = 0; i < sizeof memory / 4; i++)
         memory[i] = (uint32_t)next(NULL);
     for (uint32_t id = 0; id < n; id++)
@@ -165,55 +165,96 @@ static void test_order(void **unused) {
     }
 }
 
-/* Size of the box around places first .. last. */
-static uint32_t size_of(const uint32_t *order, uint32_t first, uint32_t last) {
-    uint32_t sum = 0;
+enum { ROW = 60 };
+
+/* The longest edge of the box around spheres that a or b holds, in units of joining. */
+static uint32_t longest_edge(const uint8_t *a, const uint8_t *b, const struct sph_profile *p) {
+    uint32_t most = 0;
+    int cut = p->w + 2 > SPH_BUILD_SIDE ? p->w + 2 - SPH_BUILD_SIDE : 0;
     for (int k = 0; k < 3; k++) {
         int32_t lo = INT32_MAX, hi = INT32_MIN;
-        for (uint32_t i = first; i <= last; i++) {
-            const struct sph_bt_leaf *leaf = &leaves[order[i]];
-            if (leaf->ctr[k] - leaf->rad < lo) lo = leaf->ctr[k] - leaf->rad;
-            if (leaf->ctr[k] + leaf->rad > hi) hi = leaf->ctr[k] + leaf->rad;
+        for (int i = 0; i < ROW; i++) {
+            if (!a[i] && !b[i]) continue;
+            if (leaves[i].ctr[k] - leaves[i].rad < lo) lo = leaves[i].ctr[k] - leaves[i].rad;
+            if (leaves[i].ctr[k] + leaves[i].rad > hi) hi = leaves[i].ctr[k] + leaves[i].rad;
         }
-        sum += (uint32_t)(hi - lo);
+        uint32_t edge = (uint32_t)((hi >> cut) - (lo >> cut));
+        if (edge > most) most = edge;
     }
-    return sum;
+    return most;
 }
 
-/* The binary tree is that of joining the last two neighbours that may be joined, again and again,
- * whatever the walk. */
-static void test_chain(void **unused) {
+/* In a pass those pairs are joined that are less than every other one that has a cluster of them;
+ * the tree's order has the spheres of every cluster side by side. */
+static void test_join(void **unused) {
     (void)unused;
-    enum { N = 60 };
-    for (int run = 0; run < 60; run++) {
+    int evens = 0;
+    for (int run = 0; run < 10 * DRAWN_KINDS; run++) {
         const struct sph_profile *p = &sph_profiles[run % SPH_PROFILES];
-        struct sph_bt_pair pairs[N] = {{0}};
-        uint32_t order[N], start[N + 1], n = N, number[N]; /* clusters: first places, pairs */
-        uint64_t spare[2 * N];
-        drawn_spheres(run % 2 ? DRAWN_EVEN : DRAWN_EQUAL, leaves, N, p, next, NULL);
-        sph_bt_order(leaves, N, SPH_BUILD_CURVE, p, order, spare);
-        uint32_t root = sph_bt_chain(leaves, order, N, pairs);
-        for (uint32_t i = 0; i <= N; i++)
-            start[i] = i;
-        for (uint32_t i = 0; i < N; i++)
-            number[i] = i;
+        struct sph_bt_pair pairs[ROW] = {{0}};
+        static uint8_t has[ROW][ROW]; /* which spheres are in a cluster of the row */
+        static uint64_t key[ROW][ROW];
+        uint32_t order[ROW], number[ROW], n = ROW, root, place[ROW];
+        uint64_t spare[2 * ROW];
+        int even = 0;
+        drawn_spheres((enum drawn_kind)(run % DRAWN_KINDS), leaves, ROW, p, next, NULL);
+        sph_bt_order(leaves, ROW, SPH_BUILD_CURVE, p, order, spare);
+        memset(has, 0, sizeof has);
+        for (uint32_t i = 0; i < ROW; i++)
+            has[i][number[i] = order[i]] = 1;
+        assert_int_equal(sph_bt_join(leaves, ROW, p, order, pairs, &root), 0);
+        for (uint32_t i = 0; i < ROW; i++)
+            place[order[i]] = i;
         while (n > 1) {
-            uint32_t at = n - 2, size[N];
-            for (uint32_t i = 0; i + 1 < n; i++)
-                size[i] = size_of(order, start[i], start[i + 2] - 1);
-            while ((at && size[at - 1] <= size[at]) || (at + 2 < n && size[at + 1] < size[at]))
-                at--;
-            uint32_t b = start[at + 1] - 1;
-            assert_int_equal(pairs[b].size, size[at]);
-            if (start[at] != b) assert_int_equal(pairs[b].left, number[at]);
-            if (start[at + 2] != b + 2) assert_int_equal(pairs[b].right, number[at + 1]);
-            number[at] = b;
-            n--;
-            for (uint32_t i = at + 1; i <= n; i++)
-                start[i] = start[i + 1], number[i < n ? i : 0] = number[i < n ? i + 1 : 0];
+            uint32_t left = 0, gone[ROW] = {0};
+            for (uint32_t i = 0; i < n; i++)
+                for (uint32_t j = i + 1; j < n; j++) {
+                    uint32_t k = j - i, unit = k & -k;
+                    key[i][j] = key[j][i] =
+                        k > SPH_BUILD_WINDOW
+                            ? UINT64_MAX
+                            : (uint64_t)(even ? 0 : longest_edge(has[i], has[j], p)) << 16 |
+                                  k << 8 | !!(i & unit);
+                }
+            for (uint32_t i = 0; i < n; i++) {
+                uint32_t j = n;
+                for (uint32_t to = i + 1; to < n && j == n; to++) {
+                    int least = key[i][to] != UINT64_MAX;
+                    for (uint32_t other = 0; other < n; other++)
+                        least &= (other == i || other == to ||
+                                  (key[i][other] > key[i][to] && key[to][other] > key[i][to]));
+                    if (least) j = to;
+                }
+                if (gone[i]) continue;
+                if (j < n) {
+                    uint32_t tail = ROW, first = ROW, count[2] = {0};
+                    for (uint32_t id = 0; id < ROW; id++) {
+                        if (has[i][id] && (tail == ROW || place[id] > place[tail])) tail = id;
+                        if ((has[i][id] || has[j][id]) && place[id] < first) first = place[id];
+                        count[0] += has[i][id], count[1] += has[j][id];
+                    }
+                    for (uint32_t at = 0; at < count[0] + count[1]; at++)
+                        assert_true(has[at < count[0] ? i : j][order[first + at]]);
+                    assert_int_equal(pairs[tail].cut, first + count[0] - 1);
+                    assert_int_equal(pairs[tail].size, longest_edge(has[i], has[j], p));
+                    assert_int_equal(pairs[tail].left, number[i]);
+                    assert_int_equal(pairs[tail].right, number[j]);
+                    for (uint32_t id = 0; id < ROW; id++)
+                        has[i][id] |= has[j][id];
+                    number[i] = tail;
+                    gone[j] = 1;
+                }
+                number[left] = number[i];
+                memmove(has[left++], has[i], ROW);
+            }
+            assert_true(left < n);
+            even = !even && left > n - n / 8;
+            evens += even;
+            n = left;
         }
         assert_int_equal(root, number[0]);
     }
+    assert_true(evens > 0); /* or no pass was forced */
 }
 
 static void test_errors(void **unused) {
@@ -281,7 +322,7 @@ static void test_paper(void **unused) {
         uint32_t lines = (uint32_t)m.regs[SPH_REG_PRIM_BASE], n = (uint32_t)m.regs[SPH_REG_N_PRIMS];
         size_t words = (size_t)lines * SPH_LINE_WORDS;
         uint32_t *built = malloc(words * sizeof *built);
-        struct sph_bt_job job = {n, lines, 0, UINT32_MAX, SPH_BUILD_PAPER, NULL};
+        struct sph_bt_job job = {n, lines, 0, UINT32_MAX, SPH_BUILD_PAPER, 0, NULL};
         assert_non_null(built);
         memcpy(built, m.mem, words * sizeof *built);
         memset(m.mem, 0xff, words * sizeof *built);
@@ -342,7 +383,7 @@ static void test_refit(void **unused) {
 int main(int argc, char **argv) {
     state = test_number(argc > 1 ? argv[1] : NULL, "argument 1", 1);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_words),  cmocka_unit_test(test_order), cmocka_unit_test(test_chain),
+        cmocka_unit_test(test_words),  cmocka_unit_test(test_order), cmocka_unit_test(test_join),
         cmocka_unit_test(test_errors), cmocka_unit_test(test_paper), cmocka_unit_test(test_refit),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

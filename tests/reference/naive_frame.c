@@ -12,6 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/number.h"
 #include "render/render.h"
 #include "naive/naive.h"
 #include "validate/validate.h"
@@ -30,15 +31,16 @@ static void show(const char *who, const struct sph_pixel *p) {
 enum { POKES = 8 };
 
 /* What overwrites the memory of the machines that are drawn. */
-static struct poke { unsigned line, lsb, width, value; } pokes[POKES];
+static struct poke { uint64_t line, lsb, width, value; } pokes[POKES];
 static int n_pokes;
 
 static int poke_read(const char *text) {
     struct poke *p = &pokes[n_pokes];
-    int end = 0;
-    if (n_pokes == POKES ||
-        sscanf(text, "%u:%u:%u=%u%n", &p->line, &p->lsb, &p->width, &p->value, &end) != 4 ||
-        text[end] || p->width < 1 || p->width > 32 || p->lsb + p->width > 256)
+    if (n_pokes == POKES || sph_take_count(&text, 0, UINT32_MAX, &p->line) ||
+        sph_take_char(&text, ':') || sph_take_count(&text, 0, 255, &p->lsb) ||
+        sph_take_char(&text, ':') || sph_take_count(&text, 1, 32, &p->width) ||
+        sph_take_char(&text, '=') || sph_take_count(&text, 0, UINT32_MAX, &p->value) || *text ||
+        p->lsb + p->width > 256)
         return -1;
     return n_pokes++;
 }
@@ -47,9 +49,9 @@ static int poke(struct sph_machine *m, struct sph_error *err) {
     for (int i = 0; i < n_pokes; i++) {
         const struct poke *p = &pokes[i];
         if (p->line >= m->lines)
-            return sph_fail(err, "--poke: there is no line %u of memory", p->line);
+            return sph_fail(err, "--poke: there is no line %" PRIu64 " of memory", p->line);
         sph_field_set(m->mem + (size_t)SPH_LINE_WORDS * p->line, (int)p->lsb, (int)p->width,
-                      p->value);
+                      (uint32_t)p->value);
     }
     return 0;
 }

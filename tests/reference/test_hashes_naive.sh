@@ -1,5 +1,5 @@
 #!/bin/sh
-# test_hashes_naive.sh - the golden model draws what the naive model drew of every scene of hashes.txt
+# test_hashes_naive.sh - the golden model draws what the naive one drew of each scene of the hashes
 # SPDX-License-Identifier: Apache-2.0
 #
 # scenes/hashes.txt is the golden model's own output; scenes/hashes_naive.txt is not. Some of its

@@ -154,6 +154,17 @@ static void test_mirror(void **unused) {
         turned++;
         assert_true(front >= -room);
     }
+    for (int i = 0; i < SPH_PROFILES; i++) { /* along the facet: in front of it */
+        const struct sph_profile *p = &sph_profiles[i];
+        const int64_t down[3] = {0, 0, -1000}, along[3] = {3000, 0, 3000};
+        struct sph_surface s = {.bent = 1, .nn = 18000000, .side = {0, 0, 7000}};
+        int64_t out[3], once[3];
+        memcpy(s.normal, along, sizeof along);
+        sph_reflect(p, down, &s, once);
+        sph_mirror(p, down, &s, out);
+        assert_int_equal(once[2], 0);
+        assert_memory_equal(out, once, sizeof out);
+    }
     printf("# %d were mirrored once more\n", turned);
     assert_true(turned > 1000);
 }

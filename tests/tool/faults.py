@@ -1,6 +1,6 @@
 # faults.py - every command of the tool while files cannot be written, or a signal ends it
 # SPDX-License-Identifier: Apache-2.0
-"""usage: python3 tests/tool/faults.py TOOL FOLDER [--some N]
+"""usage: python3 tests/tool/faults.py TOOL FOLDER [--some N] [--malloc N] [COMMAND...]
 Each command is run once as it should be, then, through strace,
   full    from its n-th write on the disk is full; fsync and a write of a name count too
   int, term, hup    it gets this signal at its n-th write
@@ -8,6 +8,8 @@ Each command is run once as it should be, then, through strace,
 and besides with a folder that takes no file, little memory, a small limit on files' sizes, and
 twice at once. Afterwards every output is whole or absent, no temporary file is left but by a kill,
 and what failed has a message and an exit code. --some: that many places n, spread; all without.
+Each way to malloc finds no memory once (no_memory.c, beside the tool in test/), with --some ten
+times as many; --malloc: that many of them, 0: all, and no other fault.
 Prints TAP: a line for a command and a kind of fault."""
 import json
 import os
@@ -21,6 +23,8 @@ from pathlib import Path
 TOOL = str(Path(sys.argv[1]).resolve())
 WORK = Path(sys.argv[2]).resolve()
 SOME = int(sys.argv[sys.argv.index("--some") + 1]) if "--some" in sys.argv else 0
+MALLOC = int(sys.argv[sys.argv.index("--malloc") + 1]) if "--malloc" in sys.argv else None
+NO_MEMORY = Path(TOOL).parent / "test/no_memory.so"
 SCENES = Path(__file__).resolve().parents[2] / "scenes"
 CALLS = "write,writev,pwrite64,fsync,rename,ftruncate"
 # name: words; o.* are outputs. All of them together, and the longest of names, are in each folder.
@@ -36,6 +40,7 @@ COMMANDS = {
     "gen": "gen random --spheres 200 -o o.nff",
     "import": "import x.pdb -o o.nff",
     "import aff": "import x.aff -o o.nff",
+    "price": "price x.nff --size 8x5 --json o.json",
     "background": "background x.nff --size 8x5 --pictures o --json o.json",
     "texels": "texels t.nff --size 8x5 --json o.json",
     "accuracy": "accuracy x.nff --size 8x5 -d o.png --json o.json",
@@ -47,6 +52,8 @@ COMMANDS = {
     "floats": "floats x.nff --size 8x5 -p o.png --json o.json",
     "movie": "movie x.png x.png -o o.gif",
 }
+if (Path(TOOL).parent / "sphaera_mesh.so").exists():
+    COMMANDS["import mesh"] = "import x.obj -o o.nff"
 PDB = "HETATM    1  C   LIG A   1       1.0     2.0     3.0    1.00  0.00           C\n"
 AFF = "from 0 0 6\nat 0 0 0\nup 0 1 0\nangle 40\nhither 0.1\nresolution 8 5\n"
 
@@ -61,6 +68,7 @@ def make_inputs(at):
         shutil.copy(SCENES / "texture" / name, at / name)
     (at / "x.pdb").write_text(PDB, encoding="utf-8")
     (at / "x.aff").write_text("v\n" + AFF + "f 1 0 0 1 0 0 0 1\ns 0 0 0 1\n", encoding="utf-8")
+    (at / "x.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", encoding="utf-8")
     for words in ("build x.nff --size 8x5 -o x.sph", "render x.sph --frame x.frame -o x.png"):
         subprocess.run([TOOL, *words.split()], cwd=at, check=True, stdout=subprocess.DEVNULL)
 
@@ -75,6 +83,12 @@ def run(at, words, before=(), **more):
     ran = subprocess.run([*before, TOOL, *words], cwd=at, stdout=subprocess.DEVNULL, check=False,
                          stderr=subprocess.PIPE, stdin=subprocess.DEVNULL, timeout=120, **more)
     return ran.returncode, ran.stderr.decode(errors="replace")
+
+
+def spread(every, some):
+    if not some or len(every) <= some:
+        return every
+    return [every[i * (len(every) - 1) // max(some - 1, 1)] for i in range(some)]
 
 
 def traced(inject, log):
@@ -107,10 +121,7 @@ class Command:
                 shutil.rmtree(path) if path.is_dir() else path.unlink()
 
     def places(self):
-        every = self.writes
-        if not SOME or len(every) <= SOME:
-            return every
-        return [every[i * (len(every) - 1) // max(SOME - 1, 1)] for i in range(SOME)]
+        return spread(self.writes, SOME)
 
     def rest(self, temporary):
         """What is wrong with the files that are there."""
@@ -179,6 +190,34 @@ class Command:
             return f"exit code {code}, says '{says}'"
         return self.rest(False) or (None if says.startswith("sphaera") else f"says '{says}'")
 
+    def without(self, way):
+        """A way to malloc finds nothing: the command does without, or says so."""
+        env = dict(os.environ, LD_PRELOAD=str(NO_MEMORY), NO_MEMORY=str(way), OMP_NUM_THREADS="1")
+        code, says = run(self.at, self.words, env=env)
+        if code == 0:
+            return self.rest(False) or self.whole()
+        if code != 1 or not says.startswith("sphaera"):
+            return f"exit code {code}, says '{says}'"
+        return self.rest(False)
+
+    def mallocs(self):
+        log = self.log.with_suffix(".ways")
+        env = dict(os.environ, LD_PRELOAD=str(NO_MEMORY), NO_MEMORY="0", NO_MEMORY_WAYS=str(log),
+                   OMP_NUM_THREADS="1")
+        code, says = run(self.at, self.words, env=env)
+        if code or not log.exists():
+            raise SystemExit(f"Bail out! {self.name} under {NO_MEMORY}: {code}, {says}")
+        return range(1, max(map(int, log.read_text().split())) + 1)
+
+    def malloc(self):
+        wrong, ways = [], spread(self.mallocs(), SOME and 10 * SOME if MALLOC is None else MALLOC)
+        for way in ways:
+            self.clean()
+            said = self.without(way)
+            if said:
+                wrong.append(f"way {way}: {said}")
+        return "malloc", wrong, len(ways)
+
     def twice(self):
         both = [subprocess.Popen([TOOL, *self.words], cwd=self.at, stdout=subprocess.DEVNULL,
                                  stderr=subprocess.PIPE) for _ in range(2)]
@@ -190,6 +229,9 @@ class Command:
 
     def check(self):
         """(kind of fault, what is wrong, how many tries)"""
+        yield self.malloc()
+        if MALLOC is not None:
+            return
         signals = {"int": "SIGINT", "term": "SIGTERM", "hup": "SIGHUP"}
         kinds = {"full": self.full, "kill": self.killed}
         for kind, name in signals.items():

@@ -11,6 +11,8 @@ has() { grep -q -- "$1" "$TMP/err"; }
 
 python3 tests/tool/faults.py "$s" "$TMP/faults" --some 2 build gen >"$TMP/lines"
 python3 tests/tool/faults.py "$s" "$TMP/faults" --some 1 "render movie" >>"$TMP/lines"
+python3 tests/tool/faults.py "$s" "$TMP/faults" --malloc 12 render info "import aff" \
+    "build frames" >>"$TMP/lines"
 while read -r line; do # its lines as checks of this suite
     case $line in
     "ok "* | "not ok "*)

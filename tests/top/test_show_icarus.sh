@@ -9,7 +9,8 @@ cd "$(dirname "$0")/../.." || exit 1
 tool=${BUILD:-build}/sphaera
 made() { # options
     "$tool" build scenes/paper5.nff --profile draft --size 8x6 --depth 2 --interpenetrate off \
-        --background rect "$@" -o "$TMP/m.sph" && "$tool" render "$TMP/m.sph" --frame "$TMP/m.frame" &&
+        --background rect "$@" -o "$TMP/m.sph" &&
+        "$tool" render "$TMP/m.sph" --frame "$TMP/m.frame" &&
         python3 -m lab show-files "$TMP" "$TMP/m.sph" "$TMP/m.frame"
     words=$("$tool" info "$TMP/m.sph" | sed -n 's/^core *//p')
     core=$( (sim/cores.py profile draft && sim/cores.py parameters "$words") | tr ' ' '\n' |
@@ -17,7 +18,8 @@ made() { # options
 }
 built() { # layers, spheres that trees are built of
     # shellcheck disable=SC2046  # lists of words
-    iverilog -g2005 -DCORE_PARAMETERS="$core" -DWIDTH=8 -DHEIGHT=6 -DLAYERS="$1" -DBUILD="${2:-0}" -Y .v \
+    iverilog -g2005 -DCORE_PARAMETERS="$core" -DWIDTH=8 -DHEIGHT=6 -DLAYERS="$1" \
+        -DBUILD="${2:-0}" -Y .v \
         -s tb_show_icarus -o "$TMP/tb" \
         $(find rtl -name '*.v*' -exec dirname {} + | sort -u | sed 's/.*/-I& -y&/') \
         -Itb/video tb/top/tb_show_icarus.v
@@ -42,5 +44,6 @@ check "a pixel of a layer that differs is noticed" wrong frame '68s/.*/000001/'
 check "a machine of tree hw" made --tree hw
 check "rt_top that builds trees" built 0 16
 check "a frame of the tree that it builds" show "$TMP"
-check "a record that differs is noticed" wrong memory '43s/..$/00/;47s/..$/00/;51s/..$/00/;55s/..$/00/'
+check "a record that differs is noticed" wrong memory \
+    '43s/..$/00/;47s/..$/00/;51s/..$/00/;55s/..$/00/'
 done_testing

@@ -13,7 +13,8 @@ int sph_tree_hardware(const struct sph_ball *balls, uint32_t n, const struct sph
     if (!leaves) return sph_fail(err, "out of memory for a tree of %u spheres", n);
     for (uint32_t i = 0; i < n; i++)
         leaves[i] = (struct sph_bt_leaf){{balls[i].c[0], balls[i].c[1], balls[i].c[2]}, balls[i].r};
-    int failed = sph_bt_tree(leaves, n, SPH_BUILD_CURVE, profile, NULL, &from, &tree->n_nodes, err);
+    int failed = sph_bt_tree(leaves, n, SPH_BUILD_CURVE, tree->rounds, profile, NULL, &from,
+                             &tree->n_nodes, err);
     free(leaves);
     if (failed) return -1;
     tree->nodes = calloc(tree->n_nodes, sizeof *tree->nodes);

@@ -28,7 +28,8 @@ struct sph_tree {
     int learns;     /* the binary tree that it is collapsed from is to be kept, */
     struct sph_split *split;        /* here; else NULL; malloc */
     const struct sph_machine *seen; /* NULL, or by whose rays that is collapsed again */
-    int grows; /* of SPH_TREE_PAPER: a node may be larger than the sphere around all */
+    int grows;       /* of SPH_TREE_PAPER: a node may be larger than the sphere around all */
+    uint32_t rounds; /* of SPH_TREE_HW: of joining that follow the first */
     struct sph_progress progress; /* who is told how far it is, if anybody asked */
 };
 
