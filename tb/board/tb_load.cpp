@@ -3,11 +3,11 @@
  *
  * The tool runs as it would before a board; the bytes of its terminal are the bits of the line,
  * which is silent until a packet is there whole, and waits for nobody's time: clocks go by with
- * packets, not while the tool thinks. A block of registers answers as rt_top would. A wrong bit makes the tool send its packet again;
- * when the line, or a bus, goes wrong for good, the tool must say so; a packet that was left half
- * sent must not hurt the next load. Then packets of any address and length come, at buses that take
- * their time, with a wrong bit in any of their parts, with an end too early, and with resets: what
- * is not whole does nothing.
+ * packets, not while the tool thinks. A block of registers answers as rt_top would. A wrong bit
+ * makes the tool send its packet again; when the line, or a bus, goes wrong for good, the tool must
+ * say so; a packet that was left half sent must not hurt the next load. Then packets of any address
+ * and length come, at buses that take their time, with a wrong bit in any of their parts, with an
+ * end too early, and with resets: what is not whole does nothing.
  */
 #include <csignal>
 #include <fcntl.h>

@@ -3,8 +3,9 @@
  *
  * A vector is a press, with bounces. Headers are right, or of another number, or not there; lists
  * have any length, some no end; a frame may be drawn for a while, and answers come late. Of both at
- * once the next one counts. Other buttons, or the same again, are pressed while a list is followed, and do nothing. Now and then
- * all is reset in the middle, with a button that is held down: it counts when it was let go.
+ * once the next one counts. Other buttons, or the same again, are pressed while a list is followed,
+ * and do nothing. Now and then all is reset in the middle, with a button that is held down: it
+ * counts when it was let go.
  */
 #include <deque>
 #include <vector>
@@ -186,7 +187,8 @@ struct Rig {
         if (r.percent(15)) return reset(button);
         for (unsigned i = 0; i < 3 * LOOK; i++)
             clock();
-        if (list.size() > 60 && !wanted.empty() && !together) { /* it is followed for longer than a press */
+        if (list.size() > 60 && !wanted.empty() &&
+            !together) { /* it is followed for longer than a press */
             both_.value(!button);
             set(!button, true);
             for (unsigned i = 0; i < 3 * LOOK; i++)

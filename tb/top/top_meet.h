@@ -128,6 +128,9 @@ void meet(Checks &c, Kind kind, uint32_t order, unsigned after) {
         manner.error = kind == READ_SLVERR || kind == WRITE_SLVERR ? SLVERR : DECERR;
     }
     if (kind == READ_SILENT || kind == WRITE_SILENT) manner.deaf_after = 1;
+    manner.aw_last = t.random.percent(50);
+    t.frame.behave(manner);
+    t.write(SPHAERA_MACHINE + 4 * SPH_REG_FRAME, (uint32_t)t.random.below(SPH_FRAMES));
     if (kind == DRAINS) manner.latency = 60;
     if (kind == READ_SLVERR || kind == READ_DECERR || kind == READ_SILENT) t.scene.behave(manner);
     if (kind == WRITE_SLVERR || kind == WRITE_DECERR || kind == WRITE_SILENT || kind == DRAINS)
