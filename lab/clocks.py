@@ -45,10 +45,10 @@ def rows():
     return [dict(zip(head, (cell.strip("`") for cell in row))) for row in found]
 
 
-def clock(core, speed=SPEED):
+def clock(core):
     """The Clock of that very core, None: nobody has routed it."""
     for row in rows():
-        if (row["core"], row["speed grade"], row["after"]) == (core, speed, "routing"):
+        if (row["core"], row["speed grade"], row["after"]) == (core, SPEED, "routing"):
             return Clock(float(row["median, MHz"]), int(row["seeds"]), float(row["worst, MHz"]),
                          float(row["best, MHz"]))
     return None

@@ -3,6 +3,7 @@
  */
 #include <inttypes.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "common/number.h"
@@ -17,14 +18,21 @@ static uint32_t word_at(const char *at) {
     return b[0] | (uint32_t)b[1] << 8 | (uint32_t)b[2] << 16 | (uint32_t)b[3] << 24;
 }
 
-static int check_binary(struct sph_text *t, struct sph_scene *scene, struct sph_error *err) {
+/* Of bytes behind the triangles assimp is not told. */
+static int check_binary(struct sph_text *t, struct sph_scene *scene, struct sph_mesh_lines *lines,
+                        struct sph_error *err) {
     uint64_t size = (uint64_t)(t->end - t->bytes), n = word_at(t->bytes + HEAD);
     uint64_t whole = HEAD + 4 + EACH * n;
     if (size < whole)
         return sph_fail(err, "%s: the file ends after %" PRIu64 " of %" PRIu64 " triangles",
                         t->path, (size - HEAD - 4) / EACH, n);
-    if (size > whole && sph_ledger_note(&scene->ledger, SPH_READ_UNSUPPORTED, t->path, 0, err))
-        return -1;
+    if (size > whole) {
+        if (sph_ledger_note(&scene->ledger, SPH_READ_UNSUPPORTED, t->path, 0, err)) return -1;
+        lines->size = (size_t)whole;
+        lines->text = malloc(lines->size);
+        if (!lines->text) return sph_fail(err, "%s: no memory", t->path);
+        memcpy(lines->text, t->bytes, lines->size);
+    }
     for (uint64_t i = 0; i < n; i++)
         for (int k = 0; k < NUMBERS; k++) {
             uint32_t bits = word_at(t->bytes + HEAD + 4 + EACH * i + 4 * (size_t)k);
@@ -109,7 +117,7 @@ int sph_stl_check(const char *path, struct sph_scene *scene, struct sph_mesh_lin
     int bad = text && !out       ? sph_fail(err, "%s: no memory", path)
               : text             ? check_text(&t, scene, lines, out, err)
               : size < HEAD + 4u ? sph_fail(err, "%s: the file ends within its head", path)
-                                 : check_binary(&t, scene, err);
+                                 : check_binary(&t, scene, lines, err);
     sph_text_close(&t);
     if (out && fclose(out)) bad = sph_fail(err, "%s: no memory", path);
     return bad ? -1 : 0;

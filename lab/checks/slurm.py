@@ -145,6 +145,18 @@ def files(folder):
     assert store.look(f"{folder}/results", "file") == (None, f"{name} is damaged")
 
 
+def sources(folder):
+    """A file that a result was made of: as it was, changed."""
+    name = f"{folder}/source"
+    for text in ("one", "two"):
+        with open(name, "w", encoding="utf-8") as f:
+            f.write(text)
+        if text == "one":
+            store.save(f"{folder}/results", "of", [name], 1)
+            assert store.look(f"{folder}/results", "of") == (1, None)
+    assert store.look(f"{folder}/results", "of") == (None, "sources changed")
+
+
 def main(folder):
     slurm.POLL = 0.05
     os.makedirs(folder + "/bin")
@@ -156,6 +168,7 @@ def main(folder):
     ends(folder)
     arrays(folder)
     files(folder)
+    sources(folder)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
 # __main__.py - plants the faults of tests/faults and tells who notices them
 # SPDX-License-Identifier: Apache-2.0
 import argparse
+import glob
 import os
 import re
 import signal
@@ -211,6 +212,8 @@ def main(words):
             intact.write(asked.file, text)
             return
         found = records.read(asked.list)
+        if asked.command == "check" and not asked.list:
+            records.read(glob.glob(records.DESIGNED), judged=False)
         picked = chosen(found, asked.pattern, asked.by)
         if not picked:
             sys.exit(nothing(asked, found))

@@ -36,6 +36,7 @@ from .. import benches
 from ..ip import crossings
 
 LISTS = "tests/faults/*.txt"
+DESIGNED = "tests/faults/designed/*.txt"    # read without judges
 FOLDERS = {"model": "cmodel", "rtl": "rtl", "formal": "formal", "driver": "driver", "lab": "lab"}
 KEYS = ("fault", "rule", *FOLDERS, "from", "to", "by", "more", "agree", "same")
 # judge: the groups that `--by` takes, sides that it is planted in

@@ -3,7 +3,7 @@
  *
  * Masters ask for reads and writes at random times; the block takes address and data in any order
  * and answers late. Now and then all is reset, in the middle of accesses: the block is nobody's in
- * the clock behind it. A vector is an access.
+ * the clock behind it, as in the one behind an answer. A vector is an access.
  */
 #include "Vrt_lite_choice.h"
 #include "bench.h"
@@ -32,6 +32,7 @@ struct Rig {
     Master masters[2];
     bool aw = false, w = false, ar = false; /* what the block has taken */
     int at_owner = 0;                       /* whose access that is */
+    bool answered = false;                  /* in the clock before */
     uint32_t at = 0, value = 0;
 
     explicit Rig(bench::Bench<Vrt_lite_choice> &bench) : b(bench), dut(bench.dut) {}
@@ -73,7 +74,7 @@ struct Rig {
         b.reset(1 + b.random.below(3));
         for (Master &m : masters)
             m = Master();
-        aw = w = ar = false;
+        aw = w = ar = answered = false;
         dut.s_awvalid = dut.s_arvalid = dut.s_wvalid = 3;
         dut.eval();
         if (dut.m_awvalid || dut.m_wvalid || dut.m_arvalid) b.fail("an owner behind a reset");
@@ -89,6 +90,9 @@ struct Rig {
         met.clock(events);
         if (resets && (aw || w || ar)) owner.value(at_owner);
         if (resets) return reset();
+        if (answered && (dut.s_awready || dut.s_wready || dut.s_arready))
+            b.fail("an owner behind an answer");
+        answered = dut.m_bvalid || dut.m_rvalid;
         const unsigned bs = dut.s_bvalid, rs = dut.s_rvalid;
         if ((bs & (bs - 1)) || (rs & (rs - 1)) || !bs != !dut.m_bvalid || !rs != !dut.m_rvalid)
             b.fail("an answer to both, or to none");

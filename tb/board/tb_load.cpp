@@ -1,12 +1,13 @@
 /* tb_load.cpp - `sphaera load` over a pseudo-terminal to rt_uart_bus: registers and memory get it
  * SPDX-License-Identifier: Apache-2.0
  *
- * The tool runs as it would before a board; the bytes of its terminal are the bits of the line. A
- * block of registers answers as rt_top would. A wrong bit makes the tool send its packet again;
- * when the line, or a bus, goes wrong for good, the tool must say so; a packet that was left half
- * sent must not hurt the next load. Then packets of any address and length come, at buses that take
- * their time, with a wrong bit in any of their parts, with an end too early, and with resets: what
- * is not whole does nothing.
+ * The tool runs as it would before a board; the bytes of its terminal are the bits of the line,
+ * which is silent until a packet is there whole, and waits for nobody's time: clocks go by with
+ * packets, not while the tool thinks. A block of registers answers as rt_top would. A wrong bit
+ * makes the tool send its packet again; when the line, or a bus, goes wrong for good, the tool must
+ * say so; a packet that was left half sent must not hurt the next load. Then packets of any address
+ * and length come, at buses that take their time, with a wrong bit in any of their parts, with an
+ * end too early, and with resets: what is not whole does nothing.
  */
 #include <csignal>
 #include <fcntl.h>
@@ -171,19 +172,29 @@ struct Board {
             _exit(127);
         }
         int status = 0;
+        size_t at = 0, size = 0; /* byte of a packet, how many it has */
         while (!waitpid(child, &status, WNOHANG)) {
             struct pollfd ready = {master, POLLIN, 0};
             unsigned char part[64];
             const ssize_t n = poll(&ready, 1, 1) > 0 ? read_some(master, part) : 0;
-            for (ssize_t i = 0; i < n; i++)
+            for (ssize_t i = 0; i < n; i++) {
+                if (at == 0) size = part[i] == 'W' ? 7 : 6;
+                if (at == 5 && size == 7) size += 4 * (size_t)part[i];
                 speak(part[i]);
-            clocks(200);
-            if (!deaf && !sent.empty() && write(master, sent.data(), sent.size()) > 0) sent.clear();
+                if (++at == size) at = 0, answer(master);
+            }
         }
         close(held);
         close(master);
         sent.clear();
         return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    }
+    /* What the board says of a packet; of one that did not arrive whole, when that is over. */
+    void answer(int master) {
+        clocks(100 * DIV);
+        if (sent.empty() || sent[0] == 'N') clocks((1u << IDLE) + 100 * DIV);
+        if (!deaf && write(master, sent.data(), sent.size()) < 0) b.fail("the line is gone");
+        sent.clear();
     }
     template <size_t N> static ssize_t read_some(int fd, unsigned char (&part)[N]) {
         return ::read(fd, part, N);

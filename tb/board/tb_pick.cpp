@@ -2,9 +2,10 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * A vector is a press, with bounces. Headers are right, or of another number, or not there; lists
- * have any length, some no end; a frame may be drawn for a while, and answers come late. Other
- * buttons, or the same again, are pressed while a list is followed, and do nothing. Now and then
- * all is reset in the middle, with a button that is held down: it counts when it was let go.
+ * have any length, some no end; a frame may be drawn for a while, and answers come late. Of both at
+ * once the next one counts. Other buttons, or the same again, are pressed while a list is followed,
+ * and do nothing. Now and then all is reset in the middle, with a button that is held down: it
+ * counts when it was let go.
  */
 #include <deque>
 #include <vector>
@@ -32,12 +33,13 @@ struct Rig {
     std::deque<uint32_t> statuses;
     unsigned quiet = 0;
     bool aw = false, w = false, header_read = false;
+    bool together = false; /* both buttons do the same */
     uint64_t item = 0;
 
     bench::Stimulus driven;
     bench::Points &presses_ = driven.values(
         "a press", {"next", "before", "next of the last", "before of the first", "of one machine",
-                    "without machines", "of too many", "with another header"});
+                    "without machines", "of too many", "with another header", "of both"});
     bench::Points &lists_ = driven.values("a list", {"of nothing", "of an item", "without an end"});
     bench::Points &offsets_ = driven.alone("offset of an item", 12);
     bench::Points &numbers_ =
@@ -101,7 +103,10 @@ struct Rig {
         }
         set(button, down);
     }
-    void set(unsigned button, bool down) { (button ? dut.before_i : dut.next_i) = down; }
+    void set(unsigned button, bool down) {
+        if (!button || together) dut.next_i = down;
+        if (button || together) dut.before_i = down;
+    }
     /* What a press is, for the lists. */
     void told(unsigned kind, unsigned button, unsigned n, size_t items) {
         presses_.value(kind < 3 ? 5 + (int)kind : (int)button);
@@ -110,6 +115,7 @@ struct Rig {
             presses_.value(!button && n > 1 && !number          ? 2
                            : button && n > 1 && number == n - 1 ? 3
                                                                 : -1);
+            presses_.value(together && n > 2 ? 8 : -1);
             lists_.value(items == 0 ? 0 : items == 1 ? 1 : items == 255 ? 2 : -1);
             for (uint64_t each : wanted)
                 offsets_.word(each >> 32);
@@ -154,6 +160,7 @@ struct Rig {
         const unsigned n = 1 + (unsigned)r.below(r.percent(50) ? 4 : BOARD_MACHINES);
         const unsigned kind = (unsigned)r.below(8), button = (unsigned)r.below(2);
         const bool known = kind > 2;
+        together = !button && r.percent(20);
         header = (uint64_t)BOARD_MAGIC << 32 | (kind == 0   ? 0
                                                 : kind == 1 ? 65 + r.below(1u << 30)
                                                             : n);
@@ -180,7 +187,8 @@ struct Rig {
         if (r.percent(15)) return reset(button);
         for (unsigned i = 0; i < 3 * LOOK; i++)
             clock();
-        if (list.size() > 60 && !wanted.empty()) { /* it is followed for longer than a press */
+        if (list.size() > 60 && !wanted.empty() &&
+            !together) { /* it is followed for longer than a press */
             both_.value(!button);
             set(!button, true);
             for (unsigned i = 0; i < 3 * LOOK; i++)

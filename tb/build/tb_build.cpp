@@ -50,7 +50,7 @@ class Build : public bench::Bench<Vrt_build> {
         fill(static_cast<drawn_kind>(random.below(DRAWN_KINDS)));
         if (n && random.percent(5)) spoil();
         job.lines = (uint32_t)sph_bt_lines(n) + (uint32_t)random.below(3);
-        if (random.percent(4)) job.lines = (uint32_t)random.below(job.lines + 1);
+        if (random.percent(n ? 4 : 50)) job.lines = (uint32_t)random.below(job.lines + 1);
         latency = (unsigned)random.below(random.percent(50) ? 4 : 150);
         reads = random.percent(40) ? 100 : (unsigned)random.between(5, 95);
         writes = random.percent(40) ? 100 : (unsigned)random.between(5, 95);

@@ -75,6 +75,7 @@ void Player::run(const sph_machine &machine, const Window &w, const char *what, 
     host_.pins.start = true;
     seen_ = host_.clock();
     host_.pins.start = host_.pins.cfg_valid = false;
+    host_.pins.keep_cache = !how.keep; /* it counts with start alone */
     while (seen_.busy && fine()) {
         clock++;
         if (how.disturb) {

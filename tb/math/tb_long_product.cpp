@@ -1,8 +1,8 @@
 /* tb_long_product.cpp - rt_long_product against the product of whole words
  * SPDX-License-Identifier: Apache-2.0
  *
- * Products follow each other as soon as they may, or later. The first ones are of the least and
- * greatest factors.
+ * Products follow each other as soon as they may, or later; a reset ends some, and the next one
+ * begins in the clock behind it. The first ones are of the least and greatest factors.
  */
 #include <deque>
 
@@ -35,7 +35,14 @@ int main(int argc, char **argv) {
     t.start_i = 0;
     b.reset();
     while (b.more()) {
-        t.start_i = b.cycle >= next && b.random.percent(70);
+        const bool anew = !sent.empty() && b.random.percent(2);
+        if (anew) {
+            t.start_i = 0;
+            b.reset(1);
+            sent.clear();
+            next = b.cycle;
+        }
+        t.start_i = b.cycle >= next && (anew || b.random.percent(70));
         if (t.start_i) {
             Factors f;
             f.a = mixed(b.random, AW), f.b = mixed(b.random, BW);

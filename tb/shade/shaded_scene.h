@@ -68,7 +68,7 @@ class ShadedScene : public bench::Bench<Top> {
             world.m.regs[SPH_REG_EFFECTS] |= 1 << SPH_EFFECT_FIRST | 1 << SPH_EFFECT_INTERPENETRATE;
         world.m.regs[SPH_REG_N_LIGHTS] =
             random.percent(70) ? lights : (int32_t)random.below((uint64_t)lights + 1);
-        if (random.percent(15)) unlit();
+        if (++changes % 4 == 0) unlit();
         world.m.regs[SPH_REG_BG_COLOUR] = (int32_t)random.mixed(24);
         for (int i = 0; i < 3; i++)
             world.m.regs[SPH_REG_AMBIENT_R + i] = (int32_t)random.log_bits(16);
@@ -82,6 +82,7 @@ class ShadedScene : public bench::Bench<Top> {
 
   private:
     const int32_t effects, depth, lights; /* as the scene wants them */
+    unsigned changes = 0;
 
     /* Images of textures lie anywhere in memory. */
     void scatter() {
@@ -136,12 +137,14 @@ class ShadedScene : public bench::Bench<Top> {
         bench::put(dut.light_i, RT_LIGHT_VALID, 0);
     }
 
-    /* Nothing asks for a surface's point. */
+    /* Nothing asks for a surface's point, or a refracted ray alone does. */
     void unlit() {
         world.m.regs[SPH_REG_N_LIGHTS] = 0;
+        int32_t &on = world.m.regs[SPH_REG_EFFECTS];
         for (int effect : {SPH_EFFECT_REFLECT, SPH_EFFECT_INTERPENETRATE, SPH_EFFECT_FIRST,
                            SPH_EFFECT_REFRACT, SPH_EFFECT_TEXTURE})
-            world.m.regs[SPH_REG_EFFECTS] &= ~(1 << effect);
+            on &= ~(1 << effect);
+        if (changes % 8 == 0) on |= effects & 1 << SPH_EFFECT_REFRACT;
     }
 };
 

@@ -28,6 +28,7 @@ struct Manner {
     int error = OKAY;        /* which one */
     int64_t deaf_after = -1; /* takes so many requests, and answers no later one */
     bool refuses = false;    /* when deaf it takes no request either */
+    bool aw_last = false;    /* it takes the address of a write behind its beats */
 };
 
 /* What is common to both directions: what was offered and not taken must stand. */
@@ -202,7 +203,8 @@ class WriteSide : public Channel {
     template <class Top> void offer(Top &t) {
         clock_++;
         bool open = !in_reset && !(deaf() && manner.refuses);
-        t.m_frame_awready = open && !random_.percent(manner.stall);
+        t.m_frame_awready =
+            open && !(manner.aw_last && t.m_frame_wvalid) && !random_.percent(manner.stall);
         t.m_frame_wready = open && !random_.percent(manner.stall);
         bool may = !owed_.empty() && owed_.front() <= clock_ && !deaf();
         if (may && !offered_) offered_ = !random_.percent(manner.stall);

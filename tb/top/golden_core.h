@@ -31,6 +31,7 @@ struct GoldenCore {
     std::vector<int> order; /* pixels as they leave */
     bool scripted = false;  /* draws nothing: these pixels, errors and counts instead */
     std::vector<Pixel> script;
+    bool fast = false; /* a pixel a clock */
     int errors = 0;
     uint64_t counts[32] = {};
 } core;
@@ -80,16 +81,18 @@ int golden_draw(int bad) {
     return errors;
 }
 
-/* The next pixel; 0 behind the last. */
-int golden_pixel(int number, int *x, int *y, int *rendering, int *l1, int *l2, int *chosen) {
+/* 1 with the next pixel, 0 behind the last, 2 if it is not its turn. */
+int golden_pixel(int number, int turn, int *x, int *y, int *rendering, int *l1, int *l2,
+                 int *chosen) {
+    const size_t size = core.scripted ? core.script.size() : core.order.size();
+    if ((size_t)number >= size) return 0;
+    if (!turn && !core.fast) return 2;
     if (core.scripted) {
-        if ((size_t)number >= core.script.size()) return 0;
         const Pixel &p = core.script[(size_t)number];
         *x = p.x, *y = p.y;
         *rendering = p.colour[0], *l1 = p.colour[1], *l2 = p.colour[2], *chosen = p.colour[3];
         return 1;
     }
-    if ((size_t)number >= core.order.size()) return 0;
     int at = core.order[(size_t)number];
     const struct sph_pixel &pixel = core.frame.pixels[at];
     int frame = core.machine.regs[SPH_REG_FRAME];

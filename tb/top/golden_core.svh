@@ -1,13 +1,13 @@
     // The golden model behind the ports of rt_core: make/rt_top.mk puts this behind the head of
     // rt_core.v. A frame: all lines are read twice over the bus, with every tag in turn, then come
-    // pixels, one in seven clocks.
+    // pixels, one in seven clocks or one a clock. With the last one it is idle, as early as it may.
     // SPDX-License-Identifier: Apache-2.0
     import "DPI-C" function void golden_register(input int number, input int value);
     import "DPI-C" function int golden_lines(input int keep);
     import "DPI-C" function void golden_beat(input int number, input longint data);
     import "DPI-C" function int golden_draw(input int bad);
-    import "DPI-C" function int golden_pixel(input int number, output int x, output int y,
-        output int rendering, output int l1, output int l2, output int chosen);
+    import "DPI-C" function int golden_pixel(input int number, input int turn, output int x,
+        output int y, output int rendering, output int l1, output int l2, output int chosen);
     import "DPI-C" function longint golden_count(input int number);
     import "DPI-C" function void axi_rule_broken(input string what);    // of tb/bench.h
     // For top_view.h, which tb_shell alone has: what this edge sees. rest: {rt_top's writer of
@@ -29,7 +29,7 @@
     wire [31:0] tag  = 32'(mem_rsp_tag_i) % TAGS;
     wire [31:0] beat = tag_beats_q[tag];
     wire [31:0] of   = tag + TAGS * (beat / BEATS);
-    int        x, y, rendering, l1, l2, chosen;
+    int        pixel [6], next [6];      // x, y, colours: of what is offered, of what comes then
     assign busy_o          = state_q != IDLE;
     assign active_o        = rst || busy_o || busy_q || start_i || cfg_valid_i ||
                              count_addr_i != count_addr_q;
@@ -39,10 +39,10 @@
     assign mem_req_line_o  = `RT_LINE_BITS'(asked_q < lines_q ? asked_q : asked_q - lines_q);
     assign mem_rsp_ready_o = state_q == READ && !wait_q[0];
     assign pix_valid_o     = pix_valid_q;
-    assign pix_x_o         = x[13:0];
-    assign pix_y_o         = y[13:0];
-    assign pix_colour_o    = {l2[23:0], l1[23:0], rendering[23:0]};
-    assign pix_frame_o     = chosen[`RT_RGB_BITS-1:0];
+    assign pix_x_o         = pixel[0][13:0];
+    assign pix_y_o         = pixel[1][13:0];
+    assign pix_colour_o    = {pixel[4][23:0], pixel[3][23:0], pixel[2][23:0]};
+    assign pix_frame_o     = pixel[5][`RT_RGB_BITS-1:0];
     assign pix_id_o        = 0;
     assign pix_key_o       = 0;
     assign pix_visits_o    = 0;
@@ -91,14 +91,18 @@
                 pixel_q  <= 0;
                 state_q  <= PIXELS;
             end
-            PIXELS: begin
-                if (pix_valid_q && pix_ready_i) pix_valid_q <= 1'b0;
-                else if (!pix_valid_q && wait_q == 0) begin
-                    if (golden_pixel(pixel_q, x, y, rendering, l1, l2, chosen) != 0) begin
+            PIXELS: if (!pix_valid_q || pix_ready_i) begin
+                pix_valid_q <= 1'b0;
+                case (golden_pixel(pixel_q, 32'(wait_q == 0), next[0], next[1], next[2], next[3],
+                                   next[4], next[5]))
+                    0: state_q <= IDLE;
+                    1: begin
                         pix_valid_q <= 1'b1;
                         pixel_q     <= pixel_q + 1;
-                    end else state_q <= IDLE;
-                end
+                        pixel       <= next;
+                    end
+                    default: ;           // its turn has not come
+                endcase
             end
         endcase
         if (rst) begin

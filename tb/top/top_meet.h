@@ -129,12 +129,14 @@ void meet(Checks &c, Kind kind, uint32_t order, unsigned after) {
         manner.error = kind == READ_SLVERR || kind == WRITE_SLVERR ? SLVERR : DECERR;
     }
     if (kind == READ_SILENT || kind == WRITE_SILENT) manner.deaf_after = 1;
+    manner.aw_last = kind == WRITE_SILENT;
     if (kind == DRAINS) manner.latency = 60;
     if (kind == READ_SLVERR || kind == READ_DECERR || kind == READ_SILENT) t.scene.behave(manner);
     if (kind == WRITE_SLVERR || kind == WRITE_DECERR || kind == WRITE_SILENT || kind == DRAINS)
         t.frame.behave(manner);
     for (int n = 0; n < 1 + (kind == FRESH); n++) {
         if (n) t.clocks(250);
+        t.write(SPHAERA_MACHINE + 4 * SPH_REG_FRAME, (uint32_t)t.random.below(SPH_FRAMES));
         t.write(SPHAERA_CONTROL, SPHAERA_CONTROL_START);
     }
     for (int n = 0; kind == DRAINS && n < 400 && !t.dut.m_frame_bready; n++)

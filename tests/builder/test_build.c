@@ -308,12 +308,32 @@ static void time_large(void) {
         }
 }
 
+/* What a record has of a colour, what no ray exceeds, and as many lines as have no numbers. */
+static void test_numbers(void **unused) {
+    (void)unused;
+    struct sph_scene s = cloud(20, 0.1);
+    struct sph_build_report report;
+    struct sph_error err = {{0}};
+    struct sph_machine none = {0};
+    struct sph_material own = {{0.5, 1, 0.001}, 1, 0, 10, 0, 1, 7, {0}, 0};
+    s.materials = &own;
+    struct sph_machine m = built(&s, standard, &report);
+    const uint32_t *prim = sph_line(&m, (uint64_t)m.regs[SPH_REG_PRIM_BASE]);
+    assert_int_equal(sph_field(prim, SPH_PRIM_RED_LSB, SPH_PRIM_RED_BITS), 128);
+    assert_int_equal(sph_field(prim, SPH_PRIM_GREEN_LSB, SPH_PRIM_GREEN_BITS), 255);
+    assert_int_equal(sph_field(prim, SPH_PRIM_BLUE_LSB, SPH_PRIM_BLUE_BITS), 0);
+    assert_int_equal(m.regs[SPH_REG_VISIT_LIMIT], (int)report.nodes + 1);
+    assert_int_equal(sph_emit_alloc(&none, 1ull << SPH_NODE_BASE_BITS, &err), -1);
+    sph_machine_free(&m);
+    free(s.spheres);
+}
+
 int main(int argc, char **argv) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_containment), cmocka_unit_test(test_depth),
         cmocka_unit_test(test_grid),        cmocka_unit_test(test_refusals),
         cmocka_unit_test(test_lost),        cmocka_unit_test(test_effects),
-        cmocka_unit_test(test_radius),
+        cmocka_unit_test(test_radius),      cmocka_unit_test(test_numbers),
     };
     seed(argc, argv);
     if (argc > 2 && !strcmp(argv[2], "timing")) time_large();

@@ -11,6 +11,11 @@ check "files, modules, functions, targets that are named are there" python3 -m l
 check "figures of results stand in tables and regions, or are named with a reason" \
     python3 -m lab typed
 
+check "an empty first cell is the one above it" python3 -c "
+from lab.pages import data
+rows = data.of_markdown('| a | b |\n|---|---|\n| x | 1 |\n| | 2 |\n').splitlines()
+assert rows[-1] == 'x\t2', rows"
+
 suites() { # of the papers' items: each that a command names is there
     grep -o 'make test ONLY=[a-z_.]*' lab/papers/claims.py | sed 's/.*=//' | sort -u >"$TMP/suites"
     [ -s "$TMP/suites" ] && while read -r suite; do

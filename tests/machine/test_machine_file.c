@@ -289,6 +289,19 @@ static void test_wrong_registers(void **unused) {
         wrong(&m, list[i].name);
         m.regs[list[i].number] = before;
     }
+    struct sph_profile p = m.profile;
+    const struct {
+        int *width;
+        const char *name;
+    } widths[] = {{&p.w, "width W is"},   {&p.wd, "width WD is"}, {&p.pq, "width PQ is"},
+                  {&p.ng, "width NG is"}, {&p.fw, "width FW is"}, {&p.pr, "width PR is"}};
+    for (size_t i = 0; i < sizeof widths / sizeof *widths; i++) { /* each alone */
+        *widths[i].width += 1;
+        m.regs[SPH_REG_PROFILE] = (int32_t)sph_profile_pack(&p);
+        wrong(&m, widths[i].name);
+        *widths[i].width -= 1;
+    }
+    m.regs[SPH_REG_PROFILE] = (int32_t)sph_profile_pack(&p);
     m.regs[SPH_REG_PROFILE] |= 1 << 29; /* a bit of no width */
     wrong(&m, "register PROFILE");
     sph_machine_free(&m);

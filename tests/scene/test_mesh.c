@@ -172,6 +172,38 @@ static void test_formats(void **state) {
     }
 }
 
+/* A binary STL: what stands behind its triangles is noted, and twelve numbers are numbers, but that
+ * a normal is not used. */
+static void test_stl(void **state) {
+    (void)state;
+    static const struct {
+        int more, odd; /* bytes behind a triangle; which number is none, -1: all are */
+        int rc, notes;
+    } rows[] = {{0, -1, 0, 0}, {1, -1, 0, 1}, {49, -1, 0, 1}, {50, -1, 0, 1},
+                {0, 0, 0, 0},  {0, 2, 0, 0},  {0, 3, -1, 0},  {0, 11, -1, 0}};
+    for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+        char bytes[84 + 50 + 50] = {0};
+        struct sph_read_options options = {.skip_unsupported = 1};
+        struct sph_scene scene;
+        struct sph_error err = {""};
+        bytes[80] = 1;
+        put_number(bytes + 84 + 12 + 12, 1, 4, 0);
+        put_number(bytes + 84 + 12 + 28, 1, 4, 0);
+        if (rows[k].odd >= 0) put_number(bytes + 84 + 4 * rows[k].odd, NAN, 4, 0);
+        name_file("m.stl");
+        put_file(bytes, 84 + 50 + (size_t)rows[k].more);
+        int rc = sph_scene_read(file_name, &options, &scene, &err);
+        unlink(file_name);
+        if (rc != rows[k].rc) fail_msg("row %zu: %s", k, err.text);
+        if (rc) {
+            assert_non_null(strstr(err.text, "not a number"));
+            continue;
+        }
+        assert_int_equal(scene.ledger.row[SPH_READ_UNSUPPORTED].n, rows[k].notes);
+        sph_scene_free(&scene);
+    }
+}
+
 /* MTL: what its numbers become. */
 static void test_material(void **state) {
     (void)state;
@@ -246,7 +278,7 @@ static void test_points(void **state) {
 int main(void) {
     const struct CMUnitTest others[] = {
         cmocka_unit_test(test_formats), cmocka_unit_test(test_material),
-        cmocka_unit_test(test_faces), cmocka_unit_test(test_points)};
+        cmocka_unit_test(test_faces), cmocka_unit_test(test_points), cmocka_unit_test(test_stl)};
     char why[400];
     if (!sph_module_load("mesh", why, sizeof why)) {
         printf("ok 1 - # skip meshes: built without assimp (make mesh-setup)\n");
