@@ -91,7 +91,7 @@ def look(b, kind, path, folder):
         check("... and says so", b.value("shown.textContent") == "frame 4")
     if kind in ("report", "wrong"):
         slider(b)
-        maps(b, 3)
+        maps(b, 4)
     if kind == "wrong":
         check("the wrong pixel is marked", visible(b, ".mark"))
         check("its rays are shown", visible(b, ".rays li"))
