@@ -15,9 +15,11 @@ import re
 import shutil
 import subprocess
 import sys
+import time
 from collections import defaultdict
 
 from . import benches, intact
+from .faults import designed
 from .faults.drawn import boards, page, plan
 from .faults.drawn import benches as drawn
 from .jobs import store
@@ -25,25 +27,37 @@ from .pages import place
 
 MOST = 3            # lines of a bench
 SMALL = 60          # lines of a module whose bench runs as long as it does
-VECTORS = "20000"   # of others
+VECTORS = "5000"    # of others
+EFFECTS = f"{drawn.CORES[0]}+smooth+clear+turned"    # of the core
 WAIVED = "tb/coverage.txt"
 KINDS = ("line", "branch", "toggle")
 NAMES = {"line": "lines", "branch": "branches", "toggle": "bits"}
-# Counts lie in the model, so they are written before it goes; a harness may make several.
+# Counts lie in the model, so they are written before it goes; a harness may make several. The
+# context of the last one may be gone when the program ends, unless the model is still there.
 BEGIN = '''#include <verilated_cov.cpp>
 #include <cstdlib>
 #include <string>
-static void covered() {
+static VerilatedCovContext *counting;
+static void covered(VerilatedCovContext *counts) {
     static int n;
     const std::string name = std::string(std::getenv("COVERAGE")) + "." + std::to_string(n++);
-    VerilatedCov::write(name.c_str());
-    VerilatedCov::clear();
+    counts->write(name.c_str());
+    counts->clear();
+    if (counts == counting) counting = nullptr;
+}
+static void count(VerilatedCovContext *counts) {
+    counting = counts;
+    static int end = std::atexit([] {
+        if (counting) covered(counting);
+    });
+    (void)end;
 }
 '''
 
 
 class Covered:
     """Of a program with counters in it; its folder is that of what it has met."""
+    under = "coverage"
 
     def compile(self, folder, verilate, harness, macros, objects, libraries, effort="-O0",
                 begin=""):
@@ -53,14 +67,15 @@ class Covered:
 
     def verilated(self, made):
         name = f"{made}/V{self.outer}.cpp"
-        text = re.sub(r"(::final\(\) \{|::~V\w+\(\) \{)", r"\1 covered();",
-                      benches.text_of(name))
-        text, found = re.subn(r"addModel\(this\);",
-                              r"\g<0> static int end = std::atexit(covered); (void)end;",
-                              text)
+        text = re.sub(r"(::final\(\) \{|::~V\w+\(\) \{)",
+                      r"\1 covered(contextp()->coveragep());", benches.text_of(name))
+        text, found = re.subn(r"addModel\(this\);", r"\g<0> count(contextp()->coveragep());", text)
         if not found:
             raise benches.Broken(f"{name}: Verilator registers no model in it")
         intact.write(name, text)
+
+    def program(self):
+        return self.make({})    # without a fault
 
 
 class Line(Covered, benches.Line):
@@ -73,49 +88,47 @@ class Line(Covered, benches.Line):
         return self.of_sources(self.folder)
 
 
-def whole(kind):
-    """A class of lab.faults.drawn, of the sources in place of a netlist with faults."""
-    class Whole(Covered, kind):
-        def __init__(self, *words):
-            super().__init__(*words)
-            self.folder = f"{self.build}/coverage/{self.name.replace('/', '-')}"
-            kind.__init__(self, *words)     # its runs name the folder
-            self.folder = f"{self.build}/coverage/{self.name.replace('/', '-')}"
-            self.runs = [[word.replace(f"{self.build}/mutants/", f"{self.build}/coverage/")
-                          for word in run] for run in self.runs]
-            self.parameters = [[n, v.replace(f"{self.build}/mutants/", f"{self.build}/coverage/")]
-                               for n, v in self.parameters]
+class Core(Covered, designed.Core):
+    """It counts modules that have no bench; of the others it has so many that it would be built
+    for a quarter of an hour."""
 
-        def program(self):
-            os.makedirs(self.folder, exist_ok=True)
-            if hasattr(self, "prepare"):
-                self.prepare()
-            return self.make(glob.glob(f"rtl/*/{self.top}.v")[0])
+    def verilate(self, edited):
+        found = sorted({line.top for line in benches.every(self.build)})
+        name = f"{self.folder}/others.vlt"
+        intact.write(name, "`verilator_config\n" + "".join(
+            f'coverage_off -file "*/{module}.v"\n' for module in found))
+        return [name, *super().verilate(edited)]
 
-        def compiled(self, verilog, harness, macros, objects, libraries, more=()):
-            inner = [*benches.folders()]
-            if any(str(word).endswith("rt_core.sv") for word in more):
-                inner = [word for word in inner if word not in ("-y", "rtl/core")]
-                inner = [w for d in sorted(glob.glob("rtl/*")) if d != "rtl/core"
-                         for w in ("-y", d, "-I" + d)] + ["-Irtl/core", "-y", "tb/board"]
-            outer = [] if self.outer != self.top else [
-                f"-G{n}={v}" for n, v in self.parameters]
-            return self.compile(self.folder, [*drawn.LOOSE, verilog, *inner, *outer,
-                                              *(w for w in more if not w.startswith("tb/board/"))],
-                                harness, macros, objects, libraries)
-    return Whole
+
+class Top(Covered, designed.Top):
+    def __init__(self, build, layers=0, trees=0):
+        super().__init__(build, layers)
+        self.parameters.append(["BUILD", str(trees)])
+        self.name += "-trees" * (trees > 0)
+        self.folder += "-trees" * (trees > 0)
+
+
+class RamBoard(Covered, designed.Board):
+    pass
+
+
+class SdramBoard(Covered, designed.Whole, boards.SdramBoard):
+    def pins(self):
+        return self.PINS
 
 
 def programs(build):
-    """Every program, the smallest first."""
-    lists = benches.every(build, Line)
-    for top in sorted({line.top for line in lists}):
-        yield from [line for line in lists if line.top == top][:MOST]
-    yield whole(drawn.Shell)(build)
-    yield whole(boards.SdramBoard)(build)
-    yield whole(boards.RamBoard)(build)
-    for effects in drawn.CORES:
-        yield whole(drawn.Core)(effects, build)
+    """Every program: what has most modules in it, then a line of each bench, a second one ..."""
+    yield Core(EFFECTS, build)
+    yield Top(build, trees=64)
+    yield Top(build, layers=1)
+    yield SdramBoard(build)
+    yield RamBoard(build)
+    tops = {}
+    for line in benches.every(build, Line):
+        tops.setdefault(line.top, []).append(line)
+    for number in range(MOST):
+        yield from (lines[number] for lines in tops.values() if number < len(lines))
 
 
 # ---- what was met ----
@@ -136,28 +149,38 @@ def read(name):
     return found
 
 
-def digest(program):
-    own = [program.source()] if isinstance(program, Line) else program.sources()
-    return store.digest(["rtl/*/*.v", "rtl/*/*.vh", "tb/*.h", *own,
-                         *{f"{os.path.dirname(name)}/*.h" for name in own}]) + program.name
+def digest(program, files):
+    return store.digest(files) + " " + program.name
 
 
 def kept(program):
     """What a program has met, if it ran since its sources changed."""
-    name, text = f"{program.folder}.points", digest(program)
-    if os.path.exists(name) and benches.text_of(name).partition("\n")[0] == text:
-        return [line.split("\t") for line in benches.text_of(name).splitlines()[1:]]
+    name = f"{program.folder}.points"
+    if os.path.exists(name):
+        text, files, *rows = benches.text_of(name).splitlines()
+        if text == digest(program, files.split()):
+            return [line.split("\t") for line in rows]
     return None
+
+
+def made_of(program):
+    """Files of the project that Verilator and the compiler read."""
+    made = f"{program.folder}/made"
+    files = benches.sources(f"{made}/all.d", f"{made}/V{program.outer}__ver.d")
+    return sorted({n for n in files if not n.startswith(("/", program.build)) and
+                   os.path.isfile(n)})
 
 
 def met(program):
     """What a program meets, kept as long as its sources stay."""
     shutil.rmtree(program.folder, ignore_errors=True)
     os.makedirs(program.folder)
+    begin = time.monotonic()
     bench = program.program()
-    found = defaultdict(int)
+    print(f"{program.name}: built in {time.monotonic() - begin:.0f} s", flush=True)
+    files, found = made_of(program), defaultdict(int)
     for number, run in enumerate(program.runs):
-        points = f"{program.folder}/points{number}"
+        begin, points = time.monotonic(), f"{program.folder}/points{number}"
         ran = subprocess.run([bench, *run], check=False, stdout=subprocess.PIPE,
                              stderr=subprocess.STDOUT, encoding="utf-8", errors="replace",
                              env={**os.environ, "COVERAGE": points, "SPHAERA":
@@ -168,10 +191,12 @@ def met(program):
         for name in glob.glob(points + ".*"):
             for point, times in read(name).items():
                 found[point] += times
+            os.remove(name)
+        print(f"{program.name}: run {number} in {time.monotonic() - begin:.0f} s", flush=True)
     shutil.rmtree(program.folder)
     rows = [[*point, str(int(times > 0))] for point, times in sorted(found.items())]
     intact.write(f"{program.folder}.points", "\n".join(
-        [digest(program), *("\t".join(row) for row in rows)]) + "\n")
+        [digest(program, files), " ".join(files), *("\t".join(row) for row in rows)]) + "\n")
     return rows
 
 
