@@ -56,7 +56,7 @@ class Builds {
         uint32_t at = FROM;
         for (uint32_t &tree : places_.tree)
             tree = at += (uint32_t)t_.random.below(9), at += room;
-        job_ = {n, at + (uint32_t)t_.random.below(9), 0, room, mode, &kept_};
+        job_ = {n, at + (uint32_t)t_.random.below(9), 0, room, mode, 0, &kept_};
         for (uint32_t id = 0; id < n; id++)
             drawn_record(line(job_.prim_base + id), id, &leaves[id], t_.random.next());
         const uint32_t one = (uint32_t)t_.random.below(n ? n : 1);
