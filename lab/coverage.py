@@ -1,11 +1,12 @@
 # coverage.py - lines, branches and bits of every module that benches and frames meet
 # SPDX-License-Identifier: Apache-2.0
 """usage: python3 -m lab coverage [--least] [--so-far] BUILD [PROGRAM...]
-Verilator counts how often a line is reached, a branch taken, and each bit of ports, wires and
-registers changes. Programs are benches of tb/benches.txt (the first MOST lines of each module's,
-VECTORS vectors, of small modules all), frames of the core, and rt_top and boards around the golden
-model; what any of them meets in any instance counts. What each has met is kept in BUILD/coverage,
-so that a run that was ended goes on. tb/coverage.txt names what nothing can meet, with the reason.
+Verilator sees whether a line is reached, a branch taken, and each bit of ports, wires and registers
+changes. Programs are frames of the core, rt_top and boards around the golden model, and benches of
+tb/benches.txt (VECTORS vectors, of small modules all): the first line of each, then more, MOST at
+most, of those whose module is not met whole. What any program meets in any instance counts. What
+each has met is kept in BUILD/coverage, so that a run that was ended goes on. tb/coverage.txt names
+what nothing can meet, with the reason.
 Without PROGRAMs the table goes into docs/results/verification.md, with --so-far that of the
 programs that have run; with --least PROGRAMs fail if they leave anything of their own module."""
 import fnmatch
@@ -28,7 +29,6 @@ from .pages import place
 MOST = 3            # lines of a bench
 SMALL = 60          # lines of a module whose bench runs as long as it does
 VECTORS = "5000"    # of others
-EFFECTS = f"{drawn.CORES[0]}+smooth+clear+turned"    # of the core
 WAIVED = "tb/coverage.txt"
 KINDS = ("line", "branch", "toggle")
 NAMES = {"line": "lines", "branch": "branches", "toggle": "bits"}
@@ -58,14 +58,21 @@ static void count(VerilatedCovContext *counts) {
 class Covered:
     """Of a program with counters in it; its folder is that of what it has met."""
     under = "coverage"
+    effort_of = "-O0"
 
-    def compile(self, folder, verilate, harness, macros, objects, libraries, effort="-O0",
+    def compile(self, folder, verilate, harness, macros, objects, libraries, effort="",
                 begin=""):
         return super().compile(folder, [*verilate, "-Wno-fatal", "--coverage-line",
                                         "--coverage-toggle"],
-                               harness, macros, objects, libraries, "-O0", BEGIN + begin)
+                               harness, macros, objects, libraries, self.effort_of, BEGIN + begin)
 
     def verilated(self, made):
+        for name in glob.glob(f"{made}/V*"):    # whether is asked, not how often: a plain store
+            text = benches.text_of(name)
+            plain = text.replace(".fetch_add(1, std::memory_order_relaxed);", " = 1;").replace(
+                "std::atomic<uint32_t>", "uint32_t")
+            if plain != text:
+                intact.write(name, plain)
         name = f"{made}/V{self.outer}.cpp"
         text = re.sub(r"(::final\(\) \{|::~V\w+\(\) \{)",
                       r"\1 covered(contextp()->coveragep());", benches.text_of(name))
@@ -89,18 +96,24 @@ class Line(Covered, benches.Line):
 
 
 class Core(Covered, designed.Core):
-    """It counts modules that have no bench; of the others it has so many that it would be built
-    for a quarter of an hour."""
+    """It counts modules without a bench, and of those what is no arithmetic or memory: it has so
+    many instances of them, all in benches too, that it would be built for half an hour."""
+    OTHERS = ("math", "memory", "prim", "trace")    # folders
+    effort_of = "-O1"
+    SCENES = [designed.Core.SCENES[number] for number in (0, 2, 5, 6, 7, 8, 9, 12)]
 
     def verilate(self, edited):
-        found = sorted({line.top for line in benches.every(self.build)})
+        found = [*(f"*/{name}/*" for name in self.OTHERS),
+                 *(f"*/{top}.v" for top in sorted({line.top for line in benches.every("")}))]
         name = f"{self.folder}/others.vlt"
         intact.write(name, "`verilator_config\n" + "".join(
-            f'coverage_off -file "*/{module}.v"\n' for module in found))
+            f'coverage_off -file "{pattern}"\n' for pattern in found))
         return [name, *super().verilate(edited)]
 
 
 class Top(Covered, designed.Top):
+    effort_of = "-O1"
+
     def __init__(self, build, layers=0, trees=0):
         super().__init__(build, layers)
         self.parameters.append(["BUILD", str(trees)])
@@ -118,16 +131,17 @@ class SdramBoard(Covered, designed.Whole, boards.SdramBoard):
 
 
 def programs(build):
-    """Every program: what has most modules in it, then a line of each bench, a second one ..."""
-    yield Core(EFFECTS, build)
-    yield Top(build, trees=64)
-    yield Top(build, layers=1)
-    yield SdramBoard(build)
-    yield RamBoard(build)
+    """Every program: core and rt_top, a line of each bench, boards, second lines, third ones."""
     tops = {}
     for line in benches.every(build, Line):
         tops.setdefault(line.top, []).append(line)
-    for number in range(MOST):
+    yield Core(drawn.CORES[0], build)
+    yield Top(build, layers=1)
+    yield from (lines[0] for lines in tops.values())
+    yield SdramBoard(build)
+    yield RamBoard(build)
+    yield Top(build, trees=64)
+    for number in range(1, MOST):
         yield from (lines[number] for lines in tops.values() if number < len(lines))
 
 
@@ -222,45 +236,67 @@ def named(pattern, what, line):
     return fnmatch.fnmatchcase(what, pattern.replace("[", "[[]")) or pattern == f"line{line}"
 
 
-def gather(chosen, so_far):
-    """(points of all programs, lines of benches of each top, programs that are not met, and why)"""
-    points, tops, broken = defaultdict(int), defaultdict(int), {}
+class Points:
+    """Of all programs: {module: {(kind, line, what): whether it was met}}."""
+    def __init__(self):
+        self.of, self.lists, self.used = defaultdict(dict), defaultdict(list), set()
+        for number, module, *waiver in waivers():
+            self.lists[module].append((number, *waiver))
+
+    def add(self, rows):
+        for module, *point, times in rows:
+            mine = self.of[module]
+            mine[tuple(point)] = mine.get(tuple(point)) or times == "1"
+
+    def judged(self, module):
+        """[(kind, line, what, whether it was met)] but for what is waived."""
+        for (kind, line, what), was_met in self.of[module].items():
+            waiver = not was_met and next((number for number, k, pattern in self.lists[module]
+                                           if k == kind and named(pattern, what, line)), None)
+            if waiver:
+                self.used.add(waiver)
+            else:
+                yield kind, line, what, was_met
+
+    def whole(self, module):
+        return all(was_met for *_, was_met in self.judged(module))
+
+
+def gather(chosen, so_far, every):
+    """(points of all programs, lines of benches of each top, programs that are not met, and why,
+    programs that have nothing left to meet). every: those too."""
+    points, tops, broken, idle = Points(), defaultdict(int), {}, set()
     for program in chosen:
+        if not every and tops[program.top] and points.whole(program.top):
+            idle.add(program.name)
+            continue
         rows = kept(program)
         try:
             if rows is None and so_far:
                 raise benches.Broken("has not run")
-            for *point, times in rows if rows is not None else met(program):
-                points[tuple(point)] |= int(times)
+            points.add(rows if rows is not None else met(program))
             tops[program.top] += 1
         except benches.Broken as why:
             broken[program.name] = why
             if not so_far:
                 print(f"not ok {program.name}: {why}", flush=True)
-    return points, tops, broken
+    return points, tops, broken, idle
 
 
 def table(points, modules, tops):
-    """(rows of modules, {kind: [met, all]}, what is not met, lines of WAIVED that were needed)"""
-    rows, total = [], {kind: [0, 0] for kind in KINDS}
-    holes, used, lists = [], set(), waivers()
+    """(rows of modules, {kind: [met, all]}, what is not met)"""
+    points.used.clear()
+    rows, total, holes = [], {kind: [0, 0] for kind in KINDS}, []
     for module in modules:
         mine = {kind: [0, 0] for kind in KINDS}
-        for point, times in points.items():
-            if point[0] != module:
-                continue
-            waiver = next((w for w in lists if w[1] == module and w[2] == point[1]
-                           and named(w[3], point[3], point[2])), None)
-            if waiver and not times:
-                used.add(waiver[0])
-                continue
-            if not times:
-                holes.append(point)
-            for count in (mine[point[1]], total[point[1]]):
-                count[0] += times
+        for kind, line, what, was_met in points.judged(module):
+            if not was_met:
+                holes.append((module, kind, line, what))
+            for count in (mine[kind], total[kind]):
+                count[0] += was_met
                 count[1] += 1
         rows.append([module, str(tops.get(module, 0)), *cells(mine)])
-    return rows, total, sorted(holes), used
+    return rows, total, sorted(holes)
 
 
 def cells(counts):
@@ -272,9 +308,9 @@ def main(build, *names, least=False, so_far=False):
     chosen = [p for p in programs(build) if not names or p.name in names or p.top in names]
     if names and not chosen:
         sys.exit(f"coverage: there is no program {' '.join(names)}")
-    points, tops, broken = gather(chosen, so_far)
-    modules = sorted(tops if names else {point[0] for point in points})
-    rows, total, holes, used = table(points, modules, tops)
+    points, tops, broken, idle = gather(chosen, so_far, bool(names))
+    modules = sorted(tops if names else points.of)
+    rows, total, holes = table(points, modules, tops)
     for row in rows:
         print(*row)
     for module, kind, line, what in holes:
@@ -284,9 +320,10 @@ def main(build, *names, least=False, so_far=False):
         print("not ok" if bad else "ok", "coverage of", *names)
         return int(bool(bad))
     for number, module, kind, pattern in waivers():
-        if number not in used and not broken:
+        if number not in points.used and not broken:
             print(f"{WAIVED}:{number}: nothing is left of {module} {NAMES[kind]} {pattern}")
-    ran = f"{len(chosen) - len(broken)} of {len(chosen)} programs"
+    all_of = len(chosen) - len(idle)
+    ran = f"{all_of - len(broken)} of {all_of} programs"
     rows.append(["**all**", ran, *cells(total)])
     print(*rows[-1])
     if not broken or so_far:
