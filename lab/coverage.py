@@ -100,7 +100,6 @@ class Core(Covered, designed.Core):
     many instances of them, all in benches too, that it would be built for half an hour."""
     OTHERS = ("math", "memory", "prim", "trace")    # folders
     effort_of = "-O1"
-    SCENES = [designed.Core.SCENES[number] for number in (0, 2, 5, 6, 7, 8, 9, 12)]
 
     def verilate(self, edited):
         found = [*(f"*/{name}/*" for name in self.OTHERS),
@@ -164,7 +163,7 @@ def read(name):
 
 
 def digest(program, files):
-    return store.digest(files) + " " + program.name
+    return f"{store.digest(files)} {program.name} {program.runs}"
 
 
 def kept(program):
@@ -231,9 +230,17 @@ def waivers():
     return found
 
 
-def named(pattern, what, line):
-    """Whether a waiver's pattern, a bit's name or a line's text, names a point."""
-    return fnmatch.fnmatchcase(what, pattern.replace("[", "[[]")) or pattern == f"line{line}"
+def named(patterns, what, line):
+    """Whether a waiver's patterns, a bit's name or a line's number, name a point."""
+    name, _, bit = what.partition("[")
+    for pattern in patterns.split(","):
+        of, _, bits = pattern.partition("[")
+        high, _, low = bits.rstrip("]").partition(":")
+        if pattern == f"line{line}" or fnmatch.fnmatchcase(what, pattern.replace("[", "[[]")) or (
+                low and fnmatch.fnmatchcase(name, of) and bit.rstrip("]").isdecimal()
+                and int(low) <= int(bit.rstrip("]")) <= int(high)):
+            return True
+    return False
 
 
 class Points:
