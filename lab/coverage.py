@@ -232,13 +232,13 @@ def waivers():
 
 def named(patterns, what, line):
     """Whether a waiver's patterns, a bit's name or a line's number, name a point."""
-    name, _, bit = what.partition("[")
+    name, _, bit = what.rstrip("]").partition("[")
     for pattern in patterns.split(","):
-        of, _, bits = pattern.partition("[")
-        high, _, low = bits.rstrip("]").partition(":")
-        if pattern == f"line{line}" or fnmatch.fnmatchcase(what, pattern.replace("[", "[[]")) or (
-                low and fnmatch.fnmatchcase(name, of) and bit.rstrip("]").isdecimal()
-                and int(low) <= int(bit.rstrip("]")) <= int(high)):
+        if pattern == f"line{line}" or fnmatch.fnmatchcase(what, pattern.replace("[", "[[]")):
+            return True
+        span = re.fullmatch(r"([\w?*]+)\[(\d+):(\d+)(?:/(\d+))?\]", pattern)
+        if span and bit and fnmatch.fnmatchcase(name, span[1]) and \
+                int(span[3]) <= int(bit) % int(span[4] or sys.maxsize) <= int(span[2]):
             return True
     return False
 
