@@ -129,11 +129,26 @@ class SdramBoard(Covered, designed.Whole, boards.SdramBoard):
         return self.PINS
 
 
+def sizes():
+    """{module: lines of it and of those below}"""
+    above, total = plan.parents(), defaultdict(int)
+    for module, lines in plan.modules().items():
+        found, left = set(), {module}
+        while left:
+            found |= left
+            left = set().union(*(above[name] for name in left)) - found
+        for name in found:
+            total[name] += lines
+    return total
+
+
 def programs(build):
-    """Every program: core and rt_top, a line of each bench, boards, second lines, third ones."""
+    """Every program: core and rt_top, a line of each bench, the smallest module first, boards,
+    second lines, third ones."""
     tops = {}
     for line in benches.every(build, Line):
         tops.setdefault(line.top, []).append(line)
+    tops = {top: tops[top] for top in sorted(tops, key=sizes().get)}
     yield Core(drawn.CORES[0], build)
     yield Top(build, layers=1)
     yield from (lines[0] for lines in tops.values())
