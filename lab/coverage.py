@@ -34,7 +34,9 @@ KINDS = ("line", "branch", "toggle")
 NAMES = {"line": "lines", "branch": "branches", "toggle": "bits"}
 # Counts lie in the model, so they are written before it goes; a harness may make several. The
 # context of the last one may be gone when the program ends, unless the model is still there.
-BEGIN = '''#include <verilated_cov.cpp>
+BEGIN = '''#pragma push_macro("N")    // a parameter of a bench, and a macro of Verilator's
+#include <verilated_cov.cpp>
+#pragma pop_macro("N")
 #include <cstdlib>
 #include <string>
 static VerilatedCovContext *counting;
@@ -125,6 +127,8 @@ class RamBoard(Covered, designed.Board):
 
 
 class SdramBoard(Covered, designed.Whole, boards.SdramBoard):
+    effort_of = "-O1"
+
     def pins(self):
         return self.PINS
 
