@@ -277,7 +277,8 @@ class Points:
     def judged(self, module):
         """[(kind, line, what, whether it was met)] but for what is waived."""
         for (kind, line, what), was_met in self.of[module].items():
-            waiver = not was_met and next((number for number, k, pattern in self.lists[module]
+            waiver = not was_met and next((number for number, k, pattern
+                                           in self.lists[module] + self.lists["*"]
                                            if k == kind and named(pattern, what, line)), None)
             if waiver:
                 self.used.add(waiver)
