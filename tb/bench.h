@@ -190,6 +190,12 @@ template <class Port> void put(Port &port, int lsb, int bits, i128 value) {
     }
 }
 
+/* Noise in a whole bundle, before the fields that a module reads are put into it. */
+template <class Port> void noise(Port &port, int bits, Random &random) {
+    for (int lsb = 0; lsb < bits; lsb += 32)
+        put(port, lsb, std::min(32, bits - lsb), (i128)random.next());
+}
+
 template <class Top> class Bench {
   public:
     Top dut;

@@ -65,10 +65,12 @@ class Selected(Selecting, benches.DrawnLine):
 
 class Whole(Selecting):
     """A core or rt_top, as the campaign of drawn faults has them."""
+    under = "designed"
 
     def __init__(self, *words):
         super().__init__(*words)
-        was, self.folder = self.folder, f"{self.build}/designed/{self.name.replace('/', '-')}"
+        was = self.folder
+        self.folder = f"{self.build}/{self.under}/{self.name.replace('/', '-')}"
         for words in (*self.runs, *self.parameters):
             words[:] = [str(word).replace(was, self.folder) for word in words]
 

@@ -13,9 +13,11 @@ int main(int argc, char **argv) {
     while (b.more()) {
         uint64_t lines = b.random.percent(3)   ? 0
                          : b.random.percent(2) ? 2048
+                         : b.random.percent(2) ? b.random.below(2048)
                                                : b.random.log_bits(5);
         uint64_t passes = b.random.percent(3)   ? 0
                           : b.random.percent(1) ? 2048
+                          : b.random.percent(1) ? b.random.below(2048)
                                                 : b.random.log_bits(4);
         if (lines * passes > 100000) passes = 2;
         uint64_t first = (uint64_t)b.random.mixed(26) % ((1u << 26) - 2048), asked = 0;

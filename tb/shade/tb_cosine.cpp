@@ -62,6 +62,7 @@ int main(int argc, char **argv) {
             normals[slot] = light = random_unit(b.random, nullptr);
             has[slot] = true;
         }
+        bench::noise(b.dut.ray_i, RT_RAY_BITS, b.random);
         bench::put(b.dut.ray_i, RT_RAY_NORMAL, normal);
         bench::put(b.dut.ray_i, RT_RAY_LIGHT, announced);
         bench::put(b.dut.ray_i, RT_RAY_SLOT, slot);

@@ -155,8 +155,8 @@ class Shell(Drawn):
             f.write(golden)
         driver = f"{self.folder}/driver.o"
         shell(["gcc", "-O2", "-c", "driver/sphaera.c", "-o", driver], f"{self.folder}/log")
-        macros = [f"-DTOP_{name}={value}" for name, value in self.parameters]
-        macros += ["-DDATA=64", "-DTOP_LAYERS=0", "-DTOP_BUILD=0", "-DTOP_MEM_DATA=64"]
+        values = {"LAYERS": 0, "BUILD": 0, "MEM_DATA": 64, **dict(self.parameters)}
+        macros = ["-DDATA=64", *(f"-DTOP_{name}={value}" for name, value in values.items())]
         return self.compiled(verilog, "tb/top/tb_shell.cpp", macros,
                             [driver, *sorted(glob.glob(f"{self.build}/sim/obj/bench_*.o"))], [],
                             ["+1800-2017ext+sv", *self.seen,

@@ -100,6 +100,8 @@ class RamBoard(Board):
 class SdramBoard(Board):
     """rt_ulx3s_sdram: machines come over its UART, buttons choose among them."""
 
+    PINS = "tb/board/ulx3s_pins.v"
+
     def __init__(self, build):
         super().__init__("board/sdram", "rt_ulx3s_sdram",
                          [word.split("=") for word in options()[0]], build)
@@ -115,11 +117,16 @@ class SdramBoard(Board):
                 f.write(re.sub(r"^from (\S+)", lambda m, by=8 * (number - 1):
                                f"from {float(m[1]) + by}", scene, flags=re.M))
             self.machine(moved, "64x48", str(number))
-        with open("tb/board/ulx3s_pins.v", encoding="utf-8") as f:
+        return super().make(verilog, self.pins())
+
+    def pins(self):
+        """What the bench sees; names are those that Yosys writes."""
+        with open(self.PINS, encoding="utf-8") as f:
             pins = re.sub(r"(rt_ulx3s_sdram) #\(.*\) (u_board)", r"\1 \2", f.read())
         drives = ", ".join(rf"!u_board.u_pins.\g_pin[{i}].u_pin .T" for i in range(15, -1, -1))
         pins = re.sub(r"    genvar.*endgenerate", lambda _: "    assign sdram_drives_o = {"
-                      + drives + "};", pins, flags=re.S)    # names as Yosys writes them
-        with open(f"{self.folder}/ulx3s_pins.v", "w", encoding="utf-8") as f:
+                      + drives + "};", pins, flags=re.S)
+        made = f"{self.folder}/ulx3s_pins.v"
+        with open(made, "w", encoding="utf-8") as f:
             f.write(pins)
-        return super().make(verilog, f"{self.folder}/ulx3s_pins.v")
+        return made
