@@ -36,7 +36,7 @@ module f_build #(
         .error_o(error), .written_o(written), .req_valid_o(req_valid), .req_ready_i(req_ready),
         .req_line_o(req_line), .rsp_valid_i(rsp_valid), .rsp_data_i(rsp_data),
         .rsp_error_i(rsp_error), .wr_valid_o(wr_valid), .wr_ready_i(wr_ready),
-        .wr_line_o(wr_line), .wr_data_o(wr_data), .wr_idle_i(wr_idle), .wr_error_i(wr_error)
+        .wr_line_o(wr_line), .wr_data_o(wr_data), .wr_idle_i(wr_idle), .wr_error_i(wr_error), .rounds_i(2'd0)
     );
     (* hierconn *) wire [2:0]  \u_dut.state_q ;
     (* hierconn *) wire [AB:0] \u_dut.asked_q , \u_dut.came_q ;
