@@ -31,9 +31,9 @@ module rt_build_sort #(parameter AB = 12) (
     input wire key_valid_i, input wire [3*`RT_BUILD_AXIS-1:0] key_i, input wire sort_i,
     input wire [AB:0] count_i, output wire done_o, input wire a_en_i, input wire a_copy_i,
     input wire [AB-1:0] a_place_i, output wire [AB-1:0] a_id_o, input wire b_en_i,
-    input wire [AB-1:0] b_place_i, output wire [AB-1:0] b_id_o,
-    input wire link_i, input wire [AB-1:0] link_from_i, input wire [AB-1:0] link_to_i,
-    input wire put_i, input wire [AB-1:0] put_place_i, input wire [AB-1:0] put_id_i
+    input wire [AB-1:0] b_place_i, output wire [AB-1:0] b_id_o, input wire link_i,
+    input wire [AB-1:0] link_from_i, input wire [AB-1:0] link_to_i, input wire put_i,
+    input wire [AB-1:0] put_place_i, input wire [AB-1:0] put_id_i
 );
     (* anyseq *) wire [2*AB+1:0] any;
     assign {ready_o, done_o, a_id_o, b_id_o} = any;

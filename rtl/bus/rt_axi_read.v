@@ -95,7 +95,7 @@ module rt_axi_read #(
         slverr_o <= beat && m_rresp == 2'b10 && !rst;
         decerr_o <= beat && m_rresp == 2'b11 && !rst;
     end
-    assign burst_o  = ask;
+    assign burst_o  = ask && !forget_i;
     assign beat_o   = beat;
     wire unused = &{1'b0, last, m_rlast};    // beats are counted
 endmodule

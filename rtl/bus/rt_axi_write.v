@@ -90,7 +90,7 @@ module rt_axi_write #(
         slverr_o <= answer && m_bresp == 2'b10 && !rst;
         decerr_o <= answer && m_bresp == 2'b11 && !rst;
     end
-    assign burst_o  = begins;
+    assign burst_o  = begins && !forget_i;
     assign beat_o   = w_take;
 endmodule
 `default_nettype wire

@@ -90,31 +90,26 @@ module rt_pixel_scan #(
     wire        seek_down  = state_q == DOWN && y_q != y0;
     wire        seek_right = state_q == RIGHT && x_q != x0;
     wire        seek_end   = state_q == RIGHT && x_q == x0;
-    wire        step_right = step && !row_end_q;
-    wire        step_row   = (step && row_end_q && !turn) || state_q == TURN;
+    // Where to is known before it is known whether: `step` enables, and chooses nothing.
+    wire        row        = state_q == TURN || row_end_q;
+    wire        move       = state_q == TURN || (step && !(row_end_q && turn));
+    wire        step_right = move && !row;
+    wire        step_row   = move && row;
     wire        step_down  = step_row && !end_y_q;
     wire        new_column = step_row && end_y_q;
     wire [DW-1:0] dx_first, dy_first, dx_next, dy_next;
     wire [3*WD-1:0] dir;                           // {z, y, x}
     wire        loaded;
     always @(posedge clk) begin
-        if (seek_right || step_right || new_column) begin
-            x_q  <= x_next;
-            dx_q <= dx_next;
-            end_x_q <= next_end_x;
-        end else if (step_down) begin
-            x_q  <= left_x_q;
-            dx_q <= left_dx_q;
-            end_x_q <= left_end_q;
+        if (seek_right || move) begin
+            x_q     <= state_q == RIGHT || !row || end_y_q ? x_next : left_x_q;
+            dx_q    <= state_q == RIGHT || !row || end_y_q ? dx_next : left_dx_q;
+            end_x_q <= state_q == RIGHT || !row || end_y_q ? next_end_x : left_end_q;
         end
-        if (seek_down || step_down) begin
-            y_q  <= y_next;
-            dy_q <= dy_next;
-            end_y_q <= next_end_y;
-        end else if (new_column) begin
-            y_q  <= y0;
-            dy_q <= top_dy_q;
-            end_y_q <= top_end_q;
+        if (seek_down || step_row) begin
+            y_q     <= state_q == DOWN || !end_y_q ? y_next : y0;
+            dy_q    <= state_q == DOWN || !end_y_q ? dy_next : top_dy_q;
+            end_y_q <= state_q == DOWN || !end_y_q ? next_end_y : top_end_q;
         end
         if (step_right) begin
             column_q  <= column_q + 3'd1;

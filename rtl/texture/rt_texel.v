@@ -53,6 +53,7 @@ module rt_texel #(
     reg [2:0]        step_q;              // stays at the last one until requests are free
     reg [12:0]       size_w_q, size_h_q;  // of the level
     reg [11:0]       w_q, h_q;            // the same, less one, a clock later
+    reg [10:0]       tiles_q;             // of a row: (w + 3) / 4, a clock behind w_q
     reg [`RT_LINE_BITS:0] line_q, next_q;
     wire             take = in_valid_i && in_ready_o;
     wire             free;                // no request is left after this clock
@@ -88,6 +89,7 @@ module rt_texel #(
         end
         w_q <= size_w_q[11:0] - 12'd1;
         h_q <= size_h_q[11:0] - 12'd1;
+        tiles_q <= {1'b0, w_q[11:2]} + 11'd1;
         if (take) busy_q <= 1'b1;
         else if (ready && !more) busy_q <= 1'b0;
         if (rst) busy_q <= 1'b0;
@@ -96,12 +98,11 @@ module rt_texel #(
     // ---- the fraction of a coordinate times the size ----
     wire             t_turn  = step_q == 3'd0;           // the operands of t enter, then those of s
     // ---- and the row of tiles of a texel: y / 2 * tiles ----
-    wire [10:0]      tiles   = {1'b0, w_q[11:2]} + 11'd1;         // (w + 3) / 4
     reg  [11:0]      y0_q, y1_q, x0_q, x1_q;
     wire             row_turn = step_q >= 3'd3;          // y1 until the level leaves
     wire [10:0]      pair    = step_q == 3'd3 ? y0_q[11:1] : y1_q[11:1];
     wire [19:0]      a       = row_turn ? {9'd0, pair} : t_turn ? t_q : s_q;
-    wire [12:0]      b       = row_turn ? {2'd0, tiles} : t_turn ? size_h_q : size_w_q;
+    wire [12:0]      b       = row_turn ? {2'd0, tiles_q} : t_turn ? size_h_q : size_w_q;
     reg  [29:0]      low_q;                              // one clock after its operands
     reg  [15:0]      up_q;
     reg  [32:0]      prod_q;                             // two clocks after them

@@ -105,18 +105,18 @@ int golden_pixel(int number, int *x, int *y, int *rendering, int *l1, int *l2, i
 /* What an edge of clk saw, if somebody looks; nobody does at a netlist, or on a board. */
 void golden_seen(int of_core, int rest, int errors, long long count) {
 #ifdef TB_TOP_VIEW_H
-    seen = {true,
-            (of_core & 16) != 0,
-            (of_core & 8) != 0,
-            (of_core & 4) != 0,
-            (of_core & 2) != 0,
-            (of_core & 1) != 0,
-            (rest & 8) != 0,
-            (rest & 4) != 0,
-            (rest & 2) != 0,
-            (rest & 1) != 0,
-            (uint32_t)errors,
-            (uint64_t)count};
+    edge_seen = {true,
+                 (of_core & 16) != 0,
+                 (of_core & 8) != 0,
+                 (of_core & 4) != 0,
+                 (of_core & 2) != 0,
+                 (of_core & 1) != 0,
+                 (rest & 8) != 0,
+                 (rest & 4) != 0,
+                 (rest & 2) != 0,
+                 (rest & 1) != 0,
+                 (uint32_t)errors,
+                 (uint64_t)count};
 #else
     (void)of_core, (void)rest, (void)errors, (void)count;
 #endif

@@ -18,6 +18,7 @@ namespace {
 /* What a frame meets besides. */
 enum Kind {
     PLAIN,
+    FRESH, /* with one before that is not shown yet */
     WAITS,
     CORE_ERROR,
     READ_SLVERR,
@@ -132,7 +133,10 @@ void meet(Checks &c, Kind kind, uint32_t order, unsigned after) {
     if (kind == READ_SLVERR || kind == READ_DECERR || kind == READ_SILENT) t.scene.behave(manner);
     if (kind == WRITE_SLVERR || kind == WRITE_DECERR || kind == WRITE_SILENT || kind == DRAINS)
         t.frame.behave(manner);
-    t.write(SPHAERA_CONTROL, SPHAERA_CONTROL_START);
+    for (int n = 0; n < 1 + (kind == FRESH); n++) {
+        if (n) t.clocks(250);
+        t.write(SPHAERA_CONTROL, SPHAERA_CONTROL_START);
+    }
     for (int n = 0; kind == DRAINS && n < 400 && !t.dut.m_frame_bready; n++)
         t.clock();
     if (kind == DRAINS) t.write(SPHAERA_CONTROL, SPHAERA_CONTROL_STOP);
@@ -143,6 +147,10 @@ void meet(Checks &c, Kind kind, uint32_t order, unsigned after) {
     t.read(SPHAERA_STATUS);
     t.read(SPHAERA_INTERRUPTS);
     t.read(SPHAERA_ERRORS);
+    if (t.random.percent(10)) { /* they are compared as they are read */
+        uint64_t counters[SPHAERA_COUNTS];
+        sphaera_counters(&t.driver, counters);
+    }
     calm(c);
     if (kind == READ_SILENT || kind == WRITE_SILENT || t.random.percent(3))
         t.write(SPHAERA_CONTROL, SPHAERA_CONTROL_SOFT_RESET);
@@ -207,6 +215,8 @@ void takes(Checks &c, const Golden &a) {
             t.read(SPHAERA_INTERRUPTS);
             calm(c);
         }
+    uint64_t counters[SPHAERA_COUNTS];
+    sphaera_counters(&t.driver, counters);
     right_again(c, a);
     c.done("take_i in every clock of every write");
 }
@@ -250,9 +260,9 @@ struct Glance {
         syncs = t.vsync_o == v_pol && !t.de_o ? syncs + 1 : 0;
         off = on ? 0 : off + 1;
         if (t.de_o && (t.hsync_o == h_pol || t.vsync_o == v_pol)) fault("a sync in a picture");
-        if (rows > LATE && seen.blank) fault("BLANK in a row");
-        if (on && syncs > LATE && !seen.blank) fault("no BLANK in vsync");
-        if (off > AFTER && !seen.blank) fault("no BLANK while off");
+        if (rows > LATE && edge_seen.blank) fault("BLANK in a row");
+        if (on && syncs > LATE && !edge_seen.blank) fault("no BLANK in vsync");
+        if (off > AFTER && !edge_seen.blank) fault("no BLANK while off");
         if (off > AFTER && t.de_o) fault("a pixel while off");
     }
 

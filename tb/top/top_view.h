@@ -29,7 +29,7 @@ struct Seen {
     uint32_t errors;
     uint64_t count; /* of the counter that was asked for a clock before */
 };
-inline Seen seen;
+inline Seen edge_seen;
 
 /* Points that were met, by name. */
 inline std::map<std::string, long, std::less<>> met;
@@ -121,8 +121,8 @@ class View {
     }
     /* Behind an edge: compares what stood before it, and goes on. */
     void edge() {
-        if (!seen.any || !broken.empty() || TOP_BUILD) return; /* no model of rt_builder */
-        seen.any = false;
+        if (!edge_seen.any || !broken.empty() || TOP_BUILD) return; /* no model of rt_builder */
+        edge_seen.any = false;
         if (p_.rst && !known_) {
             known_ = true;
         }
@@ -262,7 +262,7 @@ class View {
     bool busy() const { return state_ != IDLE && state_ != DRAIN; }
     uint32_t status() const {
         return busy() * SPHAERA_STATUS_BUSY | (state_ == DRAIN) * SPHAERA_STATUS_DRAINING |
-               (state_ == WAIT) * SPHAERA_STATUS_WAITING | seen.blank * SPHAERA_STATUS_BLANK |
+               (state_ == WAIT) * SPHAERA_STATUS_WAITING | edge_seen.blank * SPHAERA_STATUS_BLANK |
                show_valid_ * SPHAERA_STATUS_VALID | drawn_ << SPHAERA_STATUS_DRAWN_LSB |
                newest_ << SPHAERA_STATUS_NEWEST_LSB | shown_ << SPHAERA_STATUS_SHOWN_LSB;
     }
@@ -299,11 +299,11 @@ class View {
         differ("irq_o", p_.irq, (happened_ & set(SPHAERA_INTERRUPT_ENABLE)) != 0);
         differ("show_valid_o", p_.show_valid, show_valid_);
         if (show_valid_) differ("show_base_o", p_.show_base, show_base_);
-        differ("reset of the core", seen.rst, p_.rst || halt_);
-        differ("start of the core", seen.start, state_ == START);
-        if (state_ == START) differ("caches kept", seen.keep, keep_cache_);
-        if (seen.asks) differ("a request of a core in reset", seen.rst, 0);
-        if (state_ == FLUSH && seen.empty) differ("writes owed at the end", owed_write_, 0);
+        differ("reset of the core", edge_seen.rst, p_.rst || halt_);
+        differ("start of the core", edge_seen.start, state_ == START);
+        if (state_ == START) differ("caches kept", edge_seen.keep, keep_cache_);
+        if (edge_seen.asks) differ("a request of a core in reset", edge_seen.rst, 0);
+        if (state_ == FLUSH && edge_seen.empty) differ("writes owed at the end", owed_write_, 0);
     }
 
     void step() {
@@ -332,7 +332,7 @@ class View {
         const bool quiet = read_idle && write_idle;
         const bool room = !(set(SPHAERA_FRAME_MODE) & SPHAERA_FRAME_MODE_WAIT) || !fresh_;
         const bool begin = state_ == WAIT && room && !stop, end = state_ == END && !stop;
-        const bool good = end && !bad_ && !seen.errors;
+        const bool good = end && !bad_ && !edge_seen.errors;
         const bool done = end || (stop && busy());
 
         // ---- silences ----
@@ -343,11 +343,11 @@ class View {
 
         // ---- what happens ----
         const bool video = set(SPHAERA_VIDEO) & SPHAERA_VIDEO_ENABLE;
-        const bool take = video ? seen.take : p_.take || order_ & SPHAERA_CONTROL_TAKE;
+        const bool take = video ? edge_seen.take : p_.take || order_ & SPHAERA_CONTROL_TAKE;
         const bool swap = take && fresh_, again = take && !fresh_ && show_valid_ && !gone_;
         const bool lost = good && fresh_ && !take;
         const uint32_t new_errors =
-            (seen.errors & ~seen_errors_) | (read_told_ == 2) * SPHAERA_ERRORS_SCENE_SLVERR |
+            (edge_seen.errors & ~seen_errors_) | (read_told_ == 2) * SPHAERA_ERRORS_SCENE_SLVERR |
             (read_told_ == 3) * SPHAERA_ERRORS_SCENE_DECERR |
             (write_told_ == 2) * SPHAERA_ERRORS_FRAME_SLVERR |
             (write_told_ == 3) * SPHAERA_ERRORS_FRAME_DECERR |
@@ -356,7 +356,7 @@ class View {
             (starts && !accept) * SPHAERA_ERRORS_REFUSED | scan_late * SPHAERA_ERRORS_SCAN_WATCHDOG;
         const uint32_t happens = done * SPHAERA_INTERRUPTS_FRAME_DONE |
                                  swap * SPHAERA_INTERRUPTS_SWAP |
-                                 seen.underrun * SPHAERA_INTERRUPTS_UNDERRUN |
+                                 edge_seen.underrun * SPHAERA_INTERRUPTS_UNDERRUN |
                                  (new_errors != 0) * SPHAERA_INTERRUPTS_ERROR;
 
         // ---- register bus ----
@@ -385,7 +385,7 @@ class View {
 
         // ---- counters: a clock behind what happens ----
         const bool snap = order_ & SPHAERA_CONTROL_SNAPSHOT && !count_busy();
-        if (put_) counter_[put_at_] = put_at_ >= 32 ? total_[put_at_] : seen.count;
+        if (put_) counter_[put_at_] = put_at_ >= 32 ? total_[put_at_] : edge_seen.count;
         put_ = run_;
         put_at_ = at_;
         if (run_ || wait_)
@@ -397,8 +397,9 @@ class View {
         if (snap) run_ = true;
         event_.writes = aw_new; /* it is seen a clock later than what counts it */
         count(event_);
-        event_ = {seen.asks, p_.scene_beat, 0,     p_.w_beat, begin,
-                  anew,      swap,          again, lost,      seen.underrun};
+        event_ = {
+            edge_seen.asks && !forget, p_.scene_beat, 0, p_.w_beat, begin, anew, swap, again, lost,
+            edge_seen.underrun};
 
         // ---- the frame store ----
         if (accept)
@@ -454,7 +455,7 @@ class View {
             state_ = DRAW;
             break;
         case DRAW:
-            if (!seen.busy) state_ = FLUSH;
+            if (!edge_seen.busy) state_ = FLUSH;
             break;
         case FLUSH:
             if (empty_ || dead_write_) state_ = END;
@@ -466,7 +467,7 @@ class View {
             if (quiet) state_ = IDLE;
         }
         if (stop) state_ = DRAIN;
-        empty_ = seen.empty;
+        empty_ = edge_seen.empty;
         if (accept) keep_cache_ = order_ & SPHAERA_CONTROL_KEEP_CACHE;
         if (begin)
             bad_ = false;
@@ -482,12 +483,12 @@ class View {
         still(still_write_, write_stall);
         still(still_scan_, scan_stall);
         silent_ = scan_stall && (silent_ || scan_late) && !forget;
-        seen_errors_ = seen.errors;
+        seen_errors_ = edge_seen.errors;
         read_told_ = p_.scene_beat ? p_.scene_resp : 0;
         write_told_ = answer ? p_.frame_resp : 0;
 
         // ---- what is owed; the machine ----
-        owed_read_ += (seen.asks ? 256 / TOP_MEM_DATA : 0) - p_.scene_beat;
+        owed_read_ += (edge_seen.asks ? 256 / TOP_MEM_DATA : 0) - p_.scene_beat;
         owed_write_ -= answer;
         owed_scan_ -= scan_beat;
         if (forget) owed_read_ = owed_write_ = owed_scan_ = 0, scan_waits_ = frame_waits_ = false;
@@ -604,7 +605,7 @@ class View {
         met_if(aw_full_ && !w_full_, "an address before its data");
         met_if(w_full_ && !aw_full_, "data before their address");
         met_if(aw_full_ && ar_full_, "a read beside a write");
-        met_if(n.take && n.good, "a frame taken as the next one ends");
+        met_if(n.take && n.good && fresh_, "a frame taken as the next one ends");
         met_if(n.take && n.begin, "a frame taken as the next one begins");
         met_if(n.lost, "a complete frame lost");
         met_if(n.again, "a frame shown again");
@@ -625,7 +626,7 @@ class View {
         met_if(n.accept && order_ & SPHAERA_CONTROL_KEEP_CACHE, "caches kept");
         met_if(n.accept && loading_, "START while registers of a stopped one go to the core");
         met_if(state_ == END && bad_, "a frame that ends with an error of a bus");
-        met_if(state_ == END && seen.errors, "a frame that ends with an error of the core");
+        met_if(state_ == END && edge_seen.errors, "a frame that ends with an error of the core");
         met_if(p_.rst && state_ != IDLE, "rst in a frame");
         met_if(p_.scene.valid && !p_.scene.ready, "ARVALID of the scene waits");
         met_if(p_.scan.valid && !p_.scan.ready, "ARVALID of the display waits");
