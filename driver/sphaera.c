@@ -126,7 +126,9 @@ int sphaera_trees(struct sphaera *s, const struct sphaera_trees *trees) {
     const uint32_t most = (s->built & SPHAERA_CORE_BUS_BUILD) >> SPHAERA_CORE_BUS_BUILD_LSB;
     if (!most || (trees && trees->count > (uint32_t)1 << most)) return SPHAERA_NO_BUILDER;
     put(s, SPHAERA_BUILD_MODE,
-        trees ? SPHAERA_BUILD_MODE_ROOT | (trees->order & SPHAERA_BUILD_MODE_ORDER) : 0);
+        trees ? SPHAERA_BUILD_MODE_ROOT | (trees->order & SPHAERA_BUILD_MODE_ORDER) |
+                    (trees->rounds << SPHAERA_BUILD_MODE_ROUNDS_LSB & SPHAERA_BUILD_MODE_ROUNDS)
+              : 0);
     if (!trees) return SPHAERA_OK;
     put(s, SPHAERA_BUILD_COUNT, trees->count);
     put(s, SPHAERA_BUILD_RECORDS, trees->records);

@@ -106,7 +106,8 @@ struct sphaera_trees {
     uint32_t records; /* line of the primitive record of sphere 0 */
     uint32_t tree[2]; /* lines of the roots */
     uint32_t lines;
-    unsigned order; /* 0 along a curve, 1 the paper's, 2 that of the build before: a refit */
+    unsigned order;  /* 0 along a curve, 1 the paper's, 2 that of the build before: a refit */
+    unsigned rounds; /* of order 0: of joining that follow the first, 0 to 3 */
 };
 
 /* These count from the next BUILD on, and frames read the newest tree from the next START on;

@@ -254,6 +254,8 @@
 #define SPHAERA_BUILD_MODE_RESET 0x00000000u
 #define SPHAERA_BUILD_MODE_ORDER_LSB 0u
 #define SPHAERA_BUILD_MODE_ORDER 0x00000003u /* of the spheres: 0 along a curve, 1 the paper's, 2 of the build before */
+#define SPHAERA_BUILD_MODE_ROUNDS_LSB 4u
+#define SPHAERA_BUILD_MODE_ROUNDS 0x00000030u /* of joining along that curve that follow the first */
 #define SPHAERA_BUILD_MODE_ROOT_LSB 8u
 #define SPHAERA_BUILD_MODE_ROOT 0x00000100u /* a frame has the newest tree's line in place of register ROOT */
 #define SPHAERA_BUILD_CLOCKS 0x098u /* ro: clocks of the last build, without waiting for its place */

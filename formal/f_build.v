@@ -45,7 +45,9 @@ module f_build #(
     (* hierconn *) wire        \u_dut.whole , \u_dut.done_valid ;
     (* hierconn *) wire        \u_dut.second_q , \u_dut.put_records_q , \u_dut.put_node_q ;
     (* hierconn *) wire [1:0]  \u_dut.done_kind , \u_dut.slot_q ;
-    (* hierconn *) wire [LB-1:0] \u_dut.records_line_q , \u_dut.head_line , \u_dut.head_base ;
+    (* hierconn *) wire [1:0]  \u_dut.records_line_q ;
+    (* hierconn *) wire [LB-1:0] \u_dut.head_line , \u_dut.head_base ;
+    (* hierconn *) wire [`RT_LINE_BITS-1:0] \u_dut.head_line_q , \u_dut.records_at_q ;
     (* hierconn *) wire [2:0]  \u_dut.head_inner , \u_dut.head_leaves ;
     wire idle  = \u_dut.state_q == 0;
     wire reads = \u_dut.state_q == 1;
@@ -110,6 +112,12 @@ module f_build #(
         if (wr_valid) assert (nodes && !(error & 5'b10111));
         if (!idle && !reads && \u_dut.state_q != 7) assert (!(error & 5'b10111));
         if (wr_valid) assert (wr_line - root < lines);
+        if (!idle && count == 0) assert (\u_dut.head_line_q == root);
+        if (\u_dut.put_node_q && count != 0)
+            assert (\u_dut.head_line_q == root + \u_dut.head_line );
+        if (\u_dut.put_records_q )
+            assert (\u_dut.records_at_q == root + \u_dut.head_base + \u_dut.head_inner +
+                                           \u_dut.records_line_q );
         // errors stay
         if (!rst_q && !start_q) assert ((error_q & ~error) == 0);
         // an error of the start ends a build at once

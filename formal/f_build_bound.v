@@ -20,14 +20,14 @@ module f_build_bound #(
     );
     (* hierconn *) wire [2*W+1:0] \u_dut.s3_sum_q ;
     (* hierconn *) wire [ROOT-1:0] \u_dut.g_digit[8].root_q ;
-    (* hierconn *) wire [ROOT+1:0] \u_dut.g_digit[8].rem_q ;
+    (* hierconn *) wire [ROOT:0]   \u_dut.g_digit[8].rem_q ;
     (* hierconn *) wire [W+3:0]   \u_dut.beside ;
     (* hierconn *) wire [RW-1:0]  \u_dut.reach_q , \u_dut.most_q ;
     (* hierconn *) wire           \u_dut.reach_here_q , \u_dut.beyond ;
-    (* hierconn *) wire [RW-K:0]  \u_dut.units , \u_dut.least ;
+    (* hierconn *) wire [RW-K:0]  \u_dut.units_q , \u_dut.least ;
     reg  [4:0]     clocks_q = 5'd0;
     reg  [2*W+1:0] x_q;
-    reg  [RW-1:0]  up_q, reach_q;
+    reg  [RW-1:0]  up_q, reach_q, most_q;
     reg  [W-1:0]   rad_q;
     reg            here_q;
     wire [RW-1:0]  up = \u_dut.g_digit[8].root_q + (\u_dut.g_digit[8].rem_q != 0);
@@ -39,13 +39,14 @@ module f_build_bound #(
         rad_q   <= \u_dut.beside [W-1:0];
         reach_q <= \u_dut.reach_q ;
         here_q  <= \u_dut.reach_here_q ;
+        most_q  <= \u_dut.most_q ;
     end
     always @* begin
         if (clocks_q == ROOT) assert (square >= x_q);
         if (clocks_q != 0) assert (\u_dut.reach_q == up_q + rad_q);
         if (clocks_q != 0 && here_q) assert (\u_dut.most_q >= reach_q);
-        assert (\u_dut.beyond || (\u_dut.least == \u_dut.units &&
-                                  {\u_dut.least , {K{1'b0}}} >= \u_dut.most_q ));
+        if (clocks_q != 0) assert (\u_dut.beyond || (\u_dut.least == \u_dut.units_q &&
+                                                     {\u_dut.least , {K{1'b0}}} >= most_q));
     end
 endmodule
 `default_nettype wire

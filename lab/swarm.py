@@ -13,7 +13,8 @@ SCENE, SIZE, FRAMES, WHOLE = "swarm:4096", (160, 90), "0..2", 1280 * 720
 ROWS = [("host", "reinserted", "built", ["TREE=reinserted"]),
         ("host", "reinserted", "refitted", ["TREE=reinserted", "BUILD_MORE=--refit on"]),
         ("host", "hw", "built", ["TREE=hw"]),
-        ("rt_top", "hw", "built", ["BUILD=hw"])]
+        ("rt_top", "hw", "built", ["BUILD=hw"]),
+        ("rt_top", "hw1", "built", ["BUILD=hw", "TREE=hw1"])]
 
 
 def run(build, words):

@@ -5,9 +5,11 @@
 # that shapes the run. $B/out/SCENE-PROFILE-SIZE-DIGEST/ holds what render and sim leave.
 
 # Options of `sphaera build`. The tool refuses by name what does not belong together.
-# Of rt_top too, if the command line says so: of the environment BUILD is a folder.
-CHIP_BUILDS   := $(filter hw,$(if $(filter command,$(origin BUILD)),$(BUILD)))
-GIVEN_TREE    := $(or $(CHIP_BUILDS),$(if $(filter-out file,$(origin TREE)),$(TREE)))
+# The tree that rt_top builds, if the command line says so: of the environment BUILD is a folder.
+GIVEN_TREE    := $(if $(filter-out file,$(origin TREE)),$(TREE))
+CHIP_BUILDS   := $(if $(filter hw,$(if $(filter command,$(origin BUILD)),$(BUILD))),\
+                     $(or $(GIVEN_TREE),hw))
+GIVEN_TREE    := $(or $(GIVEN_TREE),$(CHIP_BUILDS))
 BUILD_PROFILE := $(if $(filter all,$(PROFILE)),reference,$(PROFILE))
 # A core of one's own words that has no `camera` takes machines alone that lack nothing.
 WHOLE         := $(filter-out auto all all+% $(if $(findstring camera,$(EFFECTS:all-%=)),%),\
@@ -54,7 +56,10 @@ top_run = test $(MEMORY) = ideal || { echo 'MEMORY=$(MEMORY): not with TOP=1' >&
               LAYERS MOVIE CHIP_BUILDS CORE_MHZ) BUILD=$B sh sim/top.sh
 sim: $(TOOL) $(PICTURES) ## SCENE through model and RTL, compared bit for bit; TOP=1: in rt_top
 	$(Q)test $(TOP)$(LAYERS) != 01 || { echo 'LAYERS=1: with TOP=1 alone' >&2; exit 2; }
-	$(Q)test '$(TOP)$(CHIP_BUILDS)' != 0hw || { echo 'BUILD=hw: with TOP=1 alone' >&2; exit 2; }
+	$(Q)test '$(TOP)$(if $(CHIP_BUILDS),hw)' != 0hw || \
+	    { echo 'BUILD=hw: with TOP=1 alone' >&2; exit 2; }
+	$(Q)test -z '$(filter-out hw hw1 hw2 paper,$(CHIP_BUILDS))' || \
+	    { echo 'BUILD=hw: with TREE=hw, hw1, hw2 or paper' >&2; exit 2; }
 	$(Q)$(if $(filter 1,$(RTL)),unset RTL MAKEFLAGS; )export REPEATED=$(call quoted,$(repeated)); \
 	    $(if $(filter 1,$(TOP)),$(top_run),\
 	    $(call values,CSV) $(call run,sim,$(SIM_KEY)))

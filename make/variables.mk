@@ -86,7 +86,7 @@ HD_SCENE ?= paper5
 ## LAYERS 0|1 if 1, with TOP=1, rt_top stores Rendering, L1 and L2 of each frame side by side
 LAYERS ?= 0
 ## BUILD host|hw who builds the tree of each frame, with TOP=1: hw is rt_top, with BUILD, which gets
-##             the records that moved
+##             the records that moved, and makes TREE=hw, hw1, hw2 or paper (none said: hw)
 BUILD ?= host
 ## FRAMES <word>| of a moving scene, of make film and TOP=1, such as 0..9 (empty: 0..0)
 FRAMES ?= 0..0

@@ -3,11 +3,11 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # usage: SCENE=... FRAMES=A..B BUILD_OPTIONS=... LATENCY=n STALL=n SEED=n PROFILE=... CORE_MHZ=n
-#        [LAYERS=0|1] [CHIP_BUILDS=hw] [MOVIE=FILE] sim/top.sh
+#        [LAYERS=0|1] [CHIP_BUILDS=TREE] [MOVIE=FILE] sim/top.sh
 # Builds the machines of these frames into BUILD/out/top-DIGEST, and rt_top with a core that can do
 # what any of them asks for. There are report.json, shown-0000.ppm and so on; MOVIE joins these.
 # With LAYERS=1 rt_top has layers: rendering-0000.ppm, l1-0000.ppm and l2-0000.ppm are there too.
-# With CHIP_BUILDS=hw it builds the tree of each frame, of the records that moved.
+# With CHIP_BUILDS it builds the tree of each frame, of that kind, of the records that moved.
 set -euf
 cd "$(dirname "$0")/.."
 tool=$BUILD/sphaera
@@ -39,6 +39,7 @@ name=$profile-$core-64
 [ "$LAYERS" = 0 ] || name=$name-layers
 trees=0
 if [ -n "$CHIP_BUILDS" ]; then
+    case $core in *facets*) echo "BUILD=hw: trees are built of spheres alone" >&2; exit 1 ;; esac
     spheres=$("$tool" info "$1" | sed -n 's/^ *[0-9]* N_PRIMS *\([0-9]*\) .*/\1/p')
     trees=16
     while [ "$trees" -lt "$spheres" ]; do trees=$((trees * 2)); done
@@ -52,7 +53,8 @@ flock "$BUILD/sim/.tools.lock" env -u MAKEFLAGS -u MFLAGS make -s --no-print-dir
     -f make/rt_top.mk B="$BUILD" BENCH=tb_frames NAME="$name" PROFILE="$profile" CORE="$core" \
     DATA=64 LAYERS="$LAYERS" TREES="$trees" top >"$run/make.log" 2>&1 ||
     { cat "$run/make.log" >&2; exit 1; }
-"$BUILD/sim/tb_frames-$name/tb_frames" "$LATENCY" "$STALL" "$SEED" "$run" "$@" \
+"$BUILD/sim/tb_frames-$name/tb_frames" "$LATENCY" "$STALL" "$SEED" \
+    "${CHIP_BUILDS:-host}" "$run" "$@" \
     >"$run/checks" || { cat "$run/checks"; exit 1; }
 [ -z "${MOVIE:-}" ] || "$tool" movie -o "$MOVIE" "$run"/shown-*.ppm >&2
 python3 -m lab image-times "$run" "$CORE_MHZ"

@@ -109,26 +109,27 @@ module rt_build #(
                 if (came_q == 0 || c > hi_q) hi_q <= c;
             end
             assign extent[i] = hi_q - lo_q;
-            wire [W-1:0]    off   = leaf_a[W*i +: W] - lo_q;
-            wire [W-1:0]    moved = off >> shift_q; // AXIS bits are left
-            reg  [AXIS-1:0] v_q;             // u8
-            always @(posedge clk) v_q <= moved[AXIS-1:0];
+            reg  [W-1:0]    off_q;
+            always @(posedge clk) off_q <= leaf_a[W*i +: W] - lo_q;
+            wire [W-1:0]    moved = off_q >> shift_q; // AXIS bits are left
             if (W > AXIS) begin : g_rest
                 wire unused = &{1'b0, moved[W-1:AXIS]};
             end
             for (j = 0; j < AXIS; j = j + 1) begin : g_bit
-                assign curve[3*j + 2 - i] = v_q[j];
+                assign curve[3*j + 2 - i] = moved[j];
             end
         end
     endgenerate
-    wire signed [W-1:0] z = leaf_a[2*W +: W];
-    reg  [3*AXIS-1:0] falling_q;             // the greatest z first
-    always @(posedge clk) falling_q <= {{(3*AXIS-W){1'b0}}, z[W-1], ~z[W-2:0]};
-    wire [3*AXIS-1:0] key = paper_q ? falling_q : curve;
+    reg  [W-1:0]  z_q;
+    reg  [3*AXIS-1:0] key_q;                 // of the paper's order: the greatest z first
+    always @(posedge clk) begin
+        z_q   <= leaf_a[2*W +: W];
+        key_q <= paper_q ? {{(3*AXIS-W){1'b0}}, z_q[W-1], ~z_q[W-2:0]} : curve;
+    end
 
-    // ---- keys: 0 a place is read, 1 the leaf is there, 2 its key ----
+    // ---- keys: 0 the leaf is there, 1 its distance from the least, 2 its key ----
     reg  [AB:0]   at_q;
-    reg  [2:0]    key_q;
+    reg  [2:0]    keys_q;
     wire          sort_ready, sorted;
     wire          key_read = keying && sort_ready && at_q != count;
     wire [AB-1:0] id_a, id_b;
@@ -141,7 +142,7 @@ module rt_build #(
     rt_build_sort #(.AB(AB)) u_sort (
         .clk(clk), .rst(rst),
         .clear_i(start_i && !busy_o && !refit), .ready_o(sort_ready),
-        .key_valid_i(key_q[1]), .key_i(key), .sort_i(state_q == SORT), .count_i(count),
+        .key_valid_i(keys_q[2]), .key_i(key_q), .sort_i(state_q == SORT), .count_i(count),
         .done_o(sorted),
         .a_en_i(join_read || a_read), .a_copy_i(paper_q ? low : a_read && |copy_q),
         .a_place_i(join_read ? join_place : a_place),
@@ -264,13 +265,21 @@ module rt_build #(
     reg  [1:0]    slot_q;
     reg  [255:0]  records_q;
     reg           second_q;                  // the next leaf is the second of its line
-    reg  [LB-1:0] records_line_q;            // lines of the node's that were written
+    reg  [1:0]    records_line_q;            // lines of the node's that were written
     reg           put_records_q, put_node_q; // a line waits to be written
     wire [LB-1:0] head_line   = head[0 +: LB];
     wire [LB-1:0] head_base   = head[LB +: LB];
     wire [2:0]    head_inner  = head[2*LB +: 3];
     wire [2:0]    head_leaves = head[2*LB+3 +: 3];
-    wire          empty       = state_q == NODES && count == 0;
+    wire          empty       = count == 0;
+    // they stay for some clocks before the first line of theirs is written
+    reg  [ADDR-1:0] head_line_q, base_q, records_at_q;
+    wire [2:0]    behind      = head_inner + {1'b0, records_line_q};
+    always @(posedge clk) begin
+        head_line_q  <= root_i + (empty ? {ADDR{1'b0}} : {{(ADDR-LB){1'b0}}, head_line});
+        base_q       <= root_i + (empty ? {{(ADDR-1){1'b0}}, 1'b1} : {{(ADDR-LB){1'b0}}, head_base});
+        records_at_q <= root_i + {{(ADDR-LB){1'b0}}, head_base} + {{(ADDR-3){1'b0}}, behind};
+    end
     assign done_take  = !put_records_q && !put_node_q;
     assign takes      = done_valid && done_take;
     wire [127:0]  record;
@@ -282,13 +291,10 @@ module rt_build #(
     assign record[127:72] = {done_leaf[4*W+AB], 7'd0, {(24-AB){1'b0}}, done_leaf[4*W +: AB],
                              {(24-W){1'b0}}, done_leaf[3*W +: W]};
     assign wr_valid_o = put_records_q || put_node_q;
-    wire [LB-1:0] line  = put_records_q
-                          ? head_base + {{(LB-3){1'b0}}, head_inner} + records_line_q : head_line;
-    assign wr_line_o  = root_i + (empty ? {ADDR{1'b0}} : {{(ADDR-LB){1'b0}}, line});
-    wire [ADDR-1:0] base = root_i + (empty ? {{(ADDR-1){1'b0}}, 1'b1}
-                                           : {{(ADDR-LB){1'b0}}, head_base});
+    assign wr_line_o  = put_records_q ? records_at_q : head_line_q;
     assign wr_data_o  = put_records_q ? records_q
-                      : empty ? {6'd0, base, 224'd0} : {head_leaves, head_inner, base, children_q};
+                      : empty ? {6'd0, base_q, 224'd0}
+                              : {head_leaves, head_inner, base_q, children_q};
     wire          wrote = wr_valid_o && wr_ready_i;
     assign head_take  = wrote && !put_records_q;
 
@@ -301,7 +307,7 @@ module rt_build #(
         line_q   <= reading && rsp_valid_i;
         void_q   <= rsp_error_i;
         record_q <= rsp_data_i[127:0];
-        key_q    <= {key_q[1:0], key_read};
+        keys_q   <= {keys_q[1:0], key_read};
         done_o   <= 1'b0;
         join_start_q <= 1'b0;
         nodes_start_q <= 1'b0;
@@ -319,8 +325,8 @@ module rt_build #(
             slot_q     <= slot_q + 1'b1;
             put_node_q <= done_kind[0];
             if (done_kind[1]) begin
-                records_q[127:0]   <= second_q ? records_q[127:0] : record;
-                records_q[255:128] <= second_q ? record : 128'd0;
+                if (second_q) records_q[255:128] <= record;
+                else records_q[127:0] <= record;
                 second_q      <= !second_q;
                 put_records_q <= second_q || done_kind[0];
             end
@@ -328,13 +334,14 @@ module rt_build #(
         if (wrote && put_records_q) begin
             put_records_q  <= 1'b0;
             second_q       <= 1'b0;
+            records_q[255:128] <= 128'd0;
             records_line_q <= records_line_q + 1'b1;
         end
         if (wrote && !put_records_q) begin
             put_node_q     <= 1'b0;
             slot_q         <= 2'd0;
             children_q     <= 224'd0;
-            records_line_q <= {LB{1'b0}};
+            records_line_q <= 2'd0;
         end
 
         case (state_q)
@@ -362,7 +369,7 @@ module rt_build #(
                 extents_q <= extents_q >> 1;
                 shift_q   <= shift_q + 1'b1;
             end else state_q <= KEYS;
-            KEYS: if (at_q == count && key_q[1:0] == 2'd0 && sort_ready) state_q <= SORT;
+            KEYS: if (at_q == count && keys_q == 3'd0 && sort_ready) state_q <= SORT;
             SORT: if (sorted) begin
                 state_q       <= paper_q ? NODES : JOIN;
                 join_start_q  <= !paper_q;
@@ -390,19 +397,20 @@ module rt_build #(
             kept_q        <= 1'b0;
             paper_q       <= 1'b0;
             line_q        <= 1'b0;
-            key_q         <= 3'd0;
+            keys_q        <= 3'd0;
             error_o       <= 5'd0;
             done_o        <= 1'b0;
             slot_q        <= 2'd0;
             children_q    <= 224'd0;
             second_q      <= 1'b0;
-            records_line_q <= {LB{1'b0}};
+            records_q[255:128] <= 128'd0;
+            records_line_q <= 2'd0;
             put_records_q <= 1'b0;
             put_node_q    <= 1'b0;
             join_start_q <= 1'b0;
             nodes_start_q <= 1'b0;
         end
     end
-    wire unused = &{1'b0, key_q[2], rsp_data_i[255:128], leaf_a[4*W]};
+    wire unused = &{1'b0, rsp_data_i[255:128], leaf_a[4*W]};
 endmodule
 `default_nettype wire

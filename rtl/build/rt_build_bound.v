@@ -66,48 +66,48 @@ module rt_build_bound #(
 
     // ---- first pass: leaves of a run ----
     reg           a_on_q;                    // a run is being read
-    reg  [AB-1:0] a_at_q, a_first_q, a_last_q;
+    reg           a_more_q;                  // there is another leaf of it
+    reg  [AB-1:0] a_next_q, a_first_q, a_last_q;
     reg           a_end_q;
-    wire          a_more = a_on_q && a_at_q != a_last_q;
-    assign begins        = child_valid_i && room && !a_more;
-    assign child_ready_o = room && !a_more;
-    assign a_read_o      = begins || a_more;
-    assign a_place_o     = begins ? child_i[0 +: AB] : a_at_q + 1'b1;
+    assign begins        = child_valid_i && room && !a_more_q;
+    assign child_ready_o = room && !a_more_q;
+    assign a_read_o      = begins || a_more_q;
+    assign a_place_o     = begins ? child_i[0 +: AB] : a_next_q;
     always @(posedge clk) begin
-        if (begins) begin
-            {a_end_q, a_last_q, a_first_q} <= child_i;
-            a_at_q <= child_i[0 +: AB];
-        end else if (a_more) a_at_q <= a_at_q + 1'b1;
-        a_on_q <= !rst && (begins || a_more);
+        if (begins) {a_end_q, a_last_q, a_first_q} <= child_i;
+        a_next_q <= a_place_o + 1'b1;
+        a_more_q <= !rst && a_read_o && a_place_o != (begins ? child_i[AB +: AB] : a_last_q);
+        a_on_q   <= !rst && a_read_o;
     end
-    // two clocks later: is it the first of its run, the last; the run
-    wire          a_head, a_tail, a_here;
-    wire [2*AB:0] a_run;
+    // is it the first of its run, the last
     reg           a_new_q;
     always @(posedge clk) a_new_q <= begins;
-    reg  [2*AB+2:0] a1_q;
-    reg           a1_here_q;
-    always @(posedge clk) begin
-        a1_q      <= {a_new_q, a_on_q && !a_more, a_end_q, a_last_q, a_first_q};
-        a1_here_q <= a_on_q && !rst;
-    end
-    assign {a_head, a_tail, a_run} = a1_q;
-    assign a_here = a1_here_q;
-
-    // ---- 1: ends of a leaf, along the axes and four diagonals; 2: those of the run; 3: their
-    // sums; 4: 16 times the centre, half up to filter units, limited to those of the grid ----
-    reg  [2:0]    ends_q;                    // of the leaf: it is there, the run's first, its last
-    reg           boxed2_q, boxed3_q, boxed_q; // the run's
-    reg  [2*AB:0] ends_run_q, run2_q, run3_q, boxed_run_q;
-    wire signed [XW-1:0] a_radius = {3'd0, a_leaf_i[3*W +: W]};
-    wire signed [XW-1:0] a_longer = a_radius + (a_radius >>> 1) + (a_radius >>> 2);
-    wire signed [XW-1:0] axis [0:2];
-    wire signed [XW-1:0] along [0:6];
+    // ---- 1: the leaf; 2: sums of two axes; 3: it along the axes and four diagonals; 4: its ends;
+    // 5: those of the run; 6: their sums; 7, 8: 16 times the centre; 9: half up to filter units,
+    // limited to those of the grid ----
+    wire [2:0]    ends;                      // 4: it is there, the run's first, its last
+    wire [2*AB:0] boxed_run;                 // 9
+    reg  [5:1]    boxed_q;                   // 5 to 9: the run's
+    reg  [4*W-1:0] leaf_q;
+    reg  signed [XW-1:0] plus_q, minus_q, half_q, long_q; // of x and y; 3/2, 7/4 of the radius
+    reg  signed [XW-1:0] axis2_q [0:2];
+    reg  signed [XW-1:0] radius2_q, radius_q;
+    wire signed [XW-1:0] axis1 [0:2];
+    wire signed [XW-1:0] radius1 = {3'd0, leaf_q[3*W +: W]};
+    reg  signed [XW+2:0] near_q, apart_q, turn_q, away_q; // sums of sums along diagonals
+    reg  signed [XW-1:0] along_q [0:6];
     wire signed [XW+2:0] sums [0:6];         // of both ends
     wire [CB-1:0] middle;
     wire [6*BW-1:0] box;                     // high and low ends, of each axis
     wire [3*BW-1:0] far;
-    reg  [12*BW-1:0] far_q;                  // four clocks: until a distance is made of it
+    reg  [15*BW-1:0] far_q;                  // five clocks: until a distance is made of it
+    rt_delay #(.WIDTH(2), .CYCLES(5)) u_ends (
+        .clk(clk), .in_i({a_new_q, a_on_q && !a_more_q}), .out_o(ends[1:0])
+    );
+    rt_delay_valid #(.CYCLES(5)) u_here (.clk(clk), .rst(rst), .in_i(a_on_q), .out_o(ends[2]));
+    rt_delay #(.WIDTH(2*AB + 1), .CYCLES(10)) u_run (
+        .clk(clk), .in_i({a_end_q, a_last_q, a_first_q}), .out_o(boxed_run)
+    );
     function [BW-1:0] cut;                   // at the grid
         input whole;
         input [BW-1:0] v;
@@ -117,18 +117,17 @@ module rt_build_bound #(
     genvar i;
     generate
         for (i = 0; i < 3; i = i + 1) begin : g_axis
-            assign axis[i]  = {{3{a_leaf_i[W*i + W - 1]}}, a_leaf_i[W*i +: W]};
-            assign along[i] = axis[i];
+            assign axis1[i] = {{3{leaf_q[W*i + W - 1]}}, leaf_q[W*i +: W]};
+            always @(posedge clk) begin
+                axis2_q[i] <= axis1[i];
+                along_q[i] <= axis2_q[i];
+            end
         end
-        assign along[3] = axis[0] + axis[1] + axis[2];
-        assign along[4] = axis[0] + axis[1] - axis[2];
-        assign along[5] = axis[0] - axis[1] + axis[2];
-        assign along[6] = axis[1] + axis[2] - axis[0];
         for (i = 0; i < 7; i = i + 1) begin : g_ends
             localparam EW = i < 3 ? BW : XW; // bits of an end
-            wire signed [XW-1:0] radius = i < 3 ? a_radius : a_longer;
-            wire signed [XW-1:0] low  = along[i] - radius;
-            wire signed [XW-1:0] high = along[i] + radius;
+            wire signed [XW-1:0] radius = i < 3 ? radius_q : long_q;
+            wire signed [XW-1:0] low  = along_q[i] - radius;
+            wire signed [XW-1:0] high = along_q[i] + radius;
             reg  signed [EW-1:0] from_q, to_q, lo_q, hi_q;
             wire signed [EW-1:0] lo_end, hi_end;
             reg  signed [EW:0] sum_q;
@@ -136,16 +135,20 @@ module rt_build_bound #(
             always @(posedge clk) begin
                 from_q <= low[EW-1:0];
                 to_q   <= high[EW-1:0];
-                if (ends_q[2] && (ends_q[1] || from_q < lo_q)) lo_q <= from_q;
-                if (ends_q[2] && (ends_q[1] || to_q > hi_q)) hi_q <= to_q;
+                if (ends[2] && (ends[1] || from_q < lo_q)) lo_q <= from_q;
+                if (ends[2] && (ends[1] || to_q > hi_q)) hi_q <= to_q;
                 sum_q  <= lo_end + hi_end;
             end
             if (i < 3) begin : g_box
-                reg [2*BW-1:0] both_q;
+                reg [2*BW-1:0] both6_q, both7_q, both_q;
                 assign lo_end = cut(whole_i, lo_q);
                 assign hi_end = cut(whole_i, hi_q);
                 assign box[2*BW*i +: 2*BW] = both_q;
-                always @(posedge clk) both_q <= {hi_end, lo_end};
+                always @(posedge clk) begin
+                    both6_q <= {hi_end, lo_end};
+                    both7_q <= both6_q;
+                    both_q  <= both7_q;
+                end
                 wire unused = &{1'b0, low[XW-1:EW], high[XW-1:EW]};
             end else begin : g_diagonal
                 assign lo_end = lo_q;
@@ -153,16 +156,24 @@ module rt_build_bound #(
             end
         end
         for (i = 0; i < 3; i = i + 1) begin : g_middle
-            wire signed [XW+2:0] one   = sums[3];
-            wire signed [XW+2:0] two   = i == 2 ? -sums[4] : sums[4];
-            wire signed [XW+2:0] three = i == 1 ? -sums[5] : sums[5];
-            wire signed [XW+2:0] four  = i == 0 ? -sums[6] : sums[6];
-            wire signed [XW+2:0] twice = sums[i];
+            reg  signed [XW+2:0] twice_q, up_q;
+            wire signed [XW+2:0] mean;
+            if (i == 0) begin : g_x
+                assign mean = (twice_q <<< 2) + near_q + turn_q;
+            end else if (i == 1) begin : g_y
+                assign mean = (twice_q <<< 2) + near_q - turn_q;
+            end else begin : g_z
+                assign mean = (twice_q <<< 2) + apart_q + away_q;
+            end
             // of a box alone its half, rounded down to grid units first
-            wire signed [XW+2:0] all   = corner_i ? (twice - (K == 0 ? 1 : 0)) <<< 3
-                                       : (twice <<< 2) + one + two + three + four;
-            wire signed [XW+2:0] up    = (all >>> (K + 3)) + 1;
-            wire signed [XW+2:0] fine  = up >>> 1;
+            wire signed [XW+2:0] all   = corner_i ? (twice_q - (K == 0 ? 1 : 0)) <<< 3 : mean;
+            reg           odd_q;
+            always @(posedge clk) begin
+                twice_q <= sums[i];
+                up_q    <= all >>> (K + 3);
+                odd_q   <= twice_q[K];
+            end
+            wire signed [XW+2:0] fine  = (up_q + 1) >>> 1;
             wire fits = fine[XW+2:FW-1] == {(XW+4-FW){1'b0}} ||
                         fine[XW+2:FW-1] == {(XW+4-FW){1'b1}};
             reg  [FW-1:0] middle_q;
@@ -170,27 +181,30 @@ module rt_build_bound #(
                 middle_q <= fits ? fine[FW-1:0] : {fine[XW+2], {(FW-1){!fine[XW+2]}}};
             assign middle[FW*i +: FW] = middle_q;
             // the farther end, as seen from there, which is above the half if it was rounded up
-            assign far[BW*i +: BW] = K != 0 && fits && twice[K] ? box[2*BW*i +: BW]
+            assign far[BW*i +: BW] = K != 0 && fits && odd_q ? box[2*BW*i +: BW]
                                                                 : box[2*BW*i + BW +: BW];
-            wire unused = &{1'b0, all[K+2:0], up[0]};
+            wire unused = &{1'b0, all[K+2:0]};
         end
     endgenerate
     always @(posedge clk) begin
-        far_q      <= {far_q[9*BW-1:0], far};
-        ends_q     <= {a_here, a_head, a_tail};
-        ends_run_q <= a_run;
-        boxed2_q   <= ends_q[2] && ends_q[0];
-        run2_q     <= ends_run_q;
-        boxed3_q   <= boxed2_q;
-        run3_q     <= run2_q;
-        boxed_q    <= boxed3_q;
-        boxed_run_q <= run3_q;
-        if (rst) begin
-            ends_q   <= 3'd0;
-            boxed2_q <= 1'b0;
-            boxed3_q <= 1'b0;
-            boxed_q  <= 1'b0;
-        end
+        leaf_q   <= a_leaf_i;
+        plus_q   <= axis1[0] + axis1[1];
+        minus_q  <= axis1[0] - axis1[1];
+        along_q[3] <= plus_q + axis2_q[2];
+        along_q[4] <= plus_q - axis2_q[2];
+        along_q[5] <= minus_q + axis2_q[2];
+        along_q[6] <= axis2_q[2] - minus_q;
+        radius2_q <= radius1;
+        half_q   <= radius1 + (radius1 >>> 1);
+        radius_q <= radius2_q;
+        long_q   <= half_q + (radius2_q >>> 2);
+        near_q   <= sums[3] + sums[4];
+        apart_q  <= sums[3] - sums[4];
+        turn_q   <= sums[5] - sums[6];
+        away_q   <= sums[5] + sums[6];
+        far_q    <= {far_q[12*BW-1:0], far};
+        boxed_q  <= {boxed_q[4:1], ends[2] && ends[0]};
+        if (rst) boxed_q <= 5'd0;
     end
 
     // ---- second pass ----
@@ -198,35 +212,43 @@ module rt_build_bound #(
     wire [2*AB+CB:0] run;
     rt_fifo #(.WIDTH(2*AB + 1 + CB), .DEPTH(16)) u_runs (
         .clk(clk), .rst(rst),
-        .in_valid_i(boxed_q), .in_ready_o(rooms[0]), .in_data_i({middle, boxed_run_q}),
+        .in_valid_i(boxed_q[5]), .in_ready_o(rooms[0]), .in_data_i({middle, boxed_run}),
         .out_valid_o(run_valid), .out_ready_i(run_take), .out_data_o(run)
     );
     reg           b_on_q, b_new_q, b_end_q;
-    reg  [AB-1:0] b_at_q, b_last_q;
+    reg           b_more_q;
+    reg  [AB-1:0] b_next_q, b_last_q;
     reg  [CB-1:0] b_middle_q;
     reg           b_leaf_q;                  // one sphere
-    wire          b_more = b_on_q && b_at_q != b_last_q;
-    assign run_take  = !b_more;
-    wire          b_begins = run_valid && !b_more;
-    assign b_read_o  = b_begins || b_more;
-    assign b_place_o = b_begins ? run[0 +: AB] : b_at_q + 1'b1;
+    wire [AB-1:0] run_first = run[0 +: AB];
+    wire [AB-1:0] run_last  = run[AB +: AB];
+    assign run_take  = !b_more_q;
+    wire          b_begins = run_valid && !b_more_q;
+    assign b_read_o  = b_begins || b_more_q;
+    assign b_place_o = b_begins ? run_first : b_next_q;
     always @(posedge clk) begin
-        b_new_q <= b_begins;
+        b_new_q  <= b_begins;
+        b_next_q <= b_place_o + 1'b1;
+        b_more_q <= !rst && !corner_i && b_read_o && b_place_o != (b_begins ? run_last : b_last_q);
+        b_on_q   <= !rst && b_read_o;
         if (b_begins) begin
             {b_middle_q, b_end_q, b_last_q} <= run[2*AB+CB:AB];
-            b_at_q   <= corner_i ? run[AB +: AB] : run[0 +: AB];
-            b_leaf_q <= run[0 +: AB] == run[AB +: AB] && !corner_i;
-        end else if (b_more) b_at_q <= b_at_q + 1'b1;
-        b_on_q <= !rst && (b_begins || b_more);
+            b_leaf_q <= run_first == run_last && !corner_i;
+        end
     end
     // s0: the leaf is there
-    reg           s0_here_q;
-    reg  [3:0]    s0_tag_q;                  // leaf, node's last, run's last, run's first
-    reg  [CB-1:0] s0_middle_q;
+    reg           s_here_q, s0_here_q;
+    reg  [3:0]    s_tag_q, s0_tag_q;         // leaf, node's last, run's last, run's first
+    reg  [CB-1:0] s_middle_q, s0_middle_q;
+    reg  [4*W+AB:0] s0_leaf_q;               // with its mark
     always @(posedge clk) begin
-        s0_here_q   <= b_on_q && !rst;
-        s0_tag_q    <= {b_leaf_q, b_end_q, !b_more, b_new_q};
-        s0_middle_q <= b_middle_q;
+        s_here_q    <= b_on_q && !rst;
+        s_tag_q     <= {b_leaf_q, b_end_q, !b_more_q, b_new_q};
+        s_middle_q  <= b_middle_q;
+        s0_here_q   <= s_here_q && !rst;
+        s0_tag_q    <= s_tag_q;
+        s0_middle_q <= s_middle_q;
+        s0_leaf_q   <= {b_mark_i, b_leaf_i};
     end
 
     // ---- s1: how far apart; s2: squares; s3: their sum ----
@@ -236,10 +258,10 @@ module rt_build_bound #(
         for (i = 0; i < 3; i = i + 1) begin : g_apart
             wire signed [BW:0] from = {{3{s0_middle_q[FW*i + FW - 1]}}, s0_middle_q[FW*i +: FW],
                                        {K{1'b0}}};
-            wire signed [BW-1:0] to = corner_i ? far_q[BW*(9+i) +: BW]
-                                               : {{2{b_leaf_i[W*i + W - 1]}}, b_leaf_i[W*i +: W]};
+            wire signed [BW-1:0] to = corner_i ? far_q[BW*(12+i) +: BW]
+                                       : {{2{s0_leaf_q[W*i + W - 1]}}, s0_leaf_q[W*i +: W]};
             wire signed [BW:0] d    = from - to;
-            wire [W-1:0]   minus_d = ~d[W-1:0] + 1'b1;
+            wire [W-1:0]   minus_d = to[W-1:0] - from[W-1:0];
             // of a leaf at most 2^W - 1; a corner beyond makes a sphere that is too large anyway
             wire           over = d[BW:W] != {3{d[BW]}} || (d[BW] && d[W-1:0] == 0);
             reg  [W-1:0]   s1_apart_q;
@@ -262,19 +284,21 @@ module rt_build_bound #(
     assign root[0] = {ROOT{1'b0}};
     generate
         for (i = 0; i < ROOT; i = i + 1) begin : g_digit
-            wire [ROOT+3:0] more  = {rem[i], x[i][2*ROOT-1 -: 2]};
-            wire [ROOT+4:0] less  = {1'b0, more} - {3'b000, root[i], 2'b01};
+            wire [ROOT+2:0] taken = {1'b0, root[i], 2'b01};
+            wire [i+2:0] more     = {rem[i][i:0], x[i][2*ROOT-1 -: 2]}; // rem is below 2^(i+1)
+            wire [i+3:0] less     = {1'b0, more} - taken[i+3:0];
             reg  [2*ROOT-1:0] x_q;
-            reg  [ROOT+1:0] rem_q;
+            reg  [i+1:0]  rem_q;
             reg  [ROOT-1:0] root_q;
             always @(posedge clk) begin
                 x_q    <= x[i] << 2;
-                rem_q  <= less[ROOT+4] ? more[ROOT+1:0] : less[ROOT+1:0];
-                root_q <= {root[i][ROOT-2:0], !less[ROOT+4]};
+                rem_q  <= less[i+3] ? more[i+1:0] : less[i+1:0];
+                root_q <= {root[i][ROOT-2:0], !less[i+3]};
             end
             assign x[i+1]    = x_q;
-            assign rem[i+1]  = rem_q;
+            assign rem[i+1]  = {{(ROOT-i){1'b0}}, rem_q};
             assign root[i+1] = root_q;
+            wire unused = &{1'b0, taken, less[i+2], rem[i][ROOT+1:i+1], root[i][ROOT-1]};
         end
     endgenerate
 
@@ -282,7 +306,7 @@ module rt_build_bound #(
     wire [W+3:0]  beside;
     wire          there;
     rt_delay #(.WIDTH(W + 4), .CYCLES(ROOT + 3)) u_beside (
-        .clk(clk), .in_i({s0_tag_q, corner_i ? {W{1'b0}} : b_leaf_i[3*W +: W]}), .out_o(beside)
+        .clk(clk), .in_i({s0_tag_q, corner_i ? {W{1'b0}} : s0_leaf_q[3*W +: W]}), .out_o(beside)
     );
     rt_delay_valid #(.CYCLES(ROOT + 3)) u_there (
         .clk(clk), .rst(rst), .in_i(s0_here_q), .out_o(there)
@@ -319,11 +343,18 @@ module rt_build_bound #(
     localparam [RW-K:0] WHOLE = CEILING[RW-K:0];
     localparam [RW:0] UP = (1 << K) - 1;
     wire [RW:0]   raised = {1'b0, most_q} + UP;
-    wire [RW-K:0] units  = raised[RW:K];
+    reg  [RW-K:0] units_q;
+    reg  [1:0]    units_tag_q;
+    reg           units_here_q;
+    always @(posedge clk) begin
+        units_q      <= raised[RW:K];
+        units_tag_q  <= most_tag_q;
+        units_here_q <= most_here_q && !rst;
+    end
     reg  [RW-K:0] cap_q;                     // of a radius
     reg  [CB-1:0] cap_centre_q;
-    wire          beyond  = units > cap_q;
-    wire [RW-K:0] least   = beyond ? cap_q : units; // at most sqrt(3) * 2^13 + 1
+    wire          beyond  = units_q > cap_q;
+    wire [RW-K:0] least   = beyond ? cap_q : units_q; // at most sqrt(3) * 2^13 + 1
     wire [19:0]   margined = {{(17-FW){1'b0}}, least} + `RT_FILTER_MARGIN;
     wire [`RT_CHILD_RAD_BITS-1:0] radius = margined[`RT_CHILD_RAD_BITS-1:0];
 
@@ -334,19 +365,19 @@ module rt_build_bound #(
         if (start_i) begin
             cap_q        <= WHOLE;
             cap_centre_q <= {CB{1'b0}};
-        end else if (whole_i && most_here_q) begin
+        end else if (whole_i && units_here_q) begin
             cap_q        <= least;
             cap_centre_q <= centre;
         end
     rt_fifo #(.WIDTH(CB), .DEPTH(16)) u_middles (
         .clk(clk), .rst(rst),
-        .in_valid_i(boxed_q), .in_ready_o(rooms[1]), .in_data_i(middle),
-        .out_valid_o(some[0]), .out_ready_i(most_here_q), .out_data_o(waited)
+        .in_valid_i(boxed_q[5]), .in_ready_o(rooms[1]), .in_data_i(middle),
+        .out_valid_o(some[0]), .out_ready_i(units_here_q), .out_data_o(waited)
     );
     rt_fifo #(.WIDTH(4*W + AB + 1), .DEPTH(16)) u_leaves (
         .clk(clk), .rst(rst),
         .in_valid_i(s0_here_q && s0_tag_q[3]), .in_ready_o(rooms[2]),
-        .in_data_i({b_mark_i, b_leaf_i}),
+        .in_data_i(s0_leaf_q),
         .out_valid_o(some[1]), .out_ready_i(out_take && out_kind_o[1]),
         .out_data_o(out_leaf_o)
     );
@@ -357,12 +388,12 @@ module rt_build_bound #(
             assign ball_leaf_o[W*i +: W] = {centre[FW*i +: FW], {K{1'b0}}};
         end
     endgenerate
-    assign ball_o = most_here_q;
+    assign ball_o = units_here_q;
     assign ball_leaf_o[3*W +: W] = {least[FW-1:0], {K{1'b0}}}; // at most sqrt(3) * 2^(FW-1) + 1
     assign result[`RT_CHILD_RAD_LSB +: `RT_CHILD_RAD_BITS] = radius;
     rt_fifo #(.WIDTH(58), .DEPTH(16)) u_results (
         .clk(clk), .rst(rst),
-        .in_valid_i(most_here_q), .in_ready_o(rooms[3]), .in_data_i({most_tag_q, result}),
+        .in_valid_i(units_here_q), .in_ready_o(rooms[3]), .in_data_i({units_tag_q, result}),
         .out_valid_o(out_valid_o), .out_ready_i(out_ready_i),
         .out_data_o({out_kind_o, out_child_o})
     );

@@ -54,7 +54,8 @@ module rt_build_join #(
     localparam NUMBER = 6*SB, HEAD = NUMBER + AB, TAIL = HEAD + AB;
     localparam NEAREST = WIN + 3;            // positions, as above
     localparam DECIDES = NEAREST + 1 + WIN;
-    localparam RB  = $clog2(DECIDES + 2);    // bits of a place in the ring
+    localparam RINGED = DECIDES + 1 - 2*WIN; // what enters the ring, of 2*WIN clusters
+    localparam RB  = LOG + 1;                // bits of a place in it
     localparam [1:0] IDLE = 2'd0, PASS = 2'd1, WALK = 2'd2;
 
     reg  [1:0]    state_q;
@@ -102,14 +103,19 @@ module rt_build_join #(
     reg  [RB-1:0] ring_q;
     wire [CW-1:0] left, right;               // at DECIDES; that it is joined with
     wire [KB-1:0] on;                        // which is so many places on
-    wire [RB-1:0] left_at = ring_q - 1'b1 - DECIDES[RB-1:0];
+    wire [RB-1:0] left_at = ring_q + 1'b1;   // the oldest, at DECIDES
+    wire [3*AB-1:0] numbers;
+    rt_delay #(.WIDTH(3*AB), .CYCLES(RINGED + 1)) u_numbers (
+        .clk(clk), .in_i(x[NUMBER +: 3*AB]), .out_o(numbers)
+    );
+    wire [CW-1:0] ringed  = {numbers, box_q[6*SB*RINGED +: 6*SB]};
     rt_slot_file #(.WIDTH(CW), .SLOTS(1 << RB)) u_left (
-        .clk(clk), .wr_en_i(1'b1), .wr_addr_i(ring_q), .wr_data_i(x),
+        .clk(clk), .wr_en_i(1'b1), .wr_addr_i(ring_q), .wr_data_i(ringed),
         .rd_addr_i(left_at), .rd_data_o(left)
     );
     rt_slot_file #(.WIDTH(CW), .SLOTS(1 << RB)) u_right (
-        .clk(clk), .wr_en_i(1'b1), .wr_addr_i(ring_q), .wr_data_i(x),
-        .rd_addr_i(left_at + {{(RB-KB){1'b0}}, on}), .rd_data_o(right)
+        .clk(clk), .wr_en_i(1'b1), .wr_addr_i(ring_q), .wr_data_i(ringed),
+        .rd_addr_i(left_at + on), .rd_data_o(right)
     );
     always @(posedge clk) begin
         coming_q <= {coming_q[0], ask};
@@ -223,12 +229,14 @@ module rt_build_join #(
     always @(posedge clk) taken_q[0] <= 1'b0;
     assign on = decided[KB-1:0];
 
-    // ---- out: 1 both are there, 2 they are joined, 3 the pair ----
-    reg           out1_q, out2_q, join1_q, join2_q;
+    // ---- out: 1 both are there, 2 they are joined, 3 edges of their box, 4 the pair ----
+    reg           out1_q, out2_q, join1_q, join2_q, join3_q;
     reg  [CW-1:0] left_q, right_q;
     reg  [6*SB-1:0] both_q;
     reg  [3*AB-1:0] who_q;
-    reg  [2*AB-1:0] halves_q;
+    reg  [2*AB-1:0] halves_q, halves3_q;
+    reg  [AB-1:0] number3_q;
+    reg  [3*SB-1:0] edges3_q;
     reg  [AB-1:0] head_q;                    // of the right one
     assign wr     = out2_q;
     assign joined = {who_q, both_q};
@@ -247,13 +255,18 @@ module rt_build_join #(
                            : left_q[NUMBER +: 3*AB];
         halves_q <= {right_q[NUMBER +: AB], left_q[NUMBER +: AB]};
         head_q   <= right_q[HEAD +: AB];
-        pair_o   <= join2_q;
-        number_o <= who_q[0 +: AB];
-        pair_data_o <= {{(SW-SB){1'b0}}, longest(edges(both_q)), halves_q};
+        join3_q   <= join2_q;
+        edges3_q  <= edges(both_q);
+        number3_q <= who_q[0 +: AB];
+        halves3_q <= halves_q;
+        pair_o    <= join3_q;
+        number_o  <= number3_q;
+        pair_data_o <= {{(SW-SB){1'b0}}, longest(edges3_q), halves3_q};
         if (rst || start_i) begin
             out1_q  <= 1'b0;
             out2_q  <= 1'b0;
             join2_q <= 1'b0;
+            join3_q <= 1'b0;
             pair_o  <= 1'b0;
         end
     end

@@ -1,10 +1,11 @@
 // rt_build_sort.v - numbers of spheres in the order of their keys
 // SPDX-License-Identifier: Apache-2.0
-//   key, id --> bank 0 --> [digit: place of its next one] --> bank 1 --> .. --> bank 0
+//   key, id --> bank 0 --> [1 the word | 2 place of its digit] --> bank 1 --> .. --> bank 0
 // A radix sort, low digits first: each pass moves a word a clock from one bank to the other, turns
 // its key by a digit, and counts the next digit of what it moves. Places of a pass are sums of the
-// counts of smaller digits. n words take DIGITS * n + 64 * DIGITS clocks after their last one came
-// in. Bank 1 then holds the list of a tree, which comes back as the order. What of an order is read
+// counts of smaller digits. A count that is read in a clock is written in the next one; of two words
+// with the same digit, one behind the other, the second takes what is being written. n words take
+// DIGITS * (n + 68) clocks after their last one came in. Bank 1 then holds the list of a tree, which comes back as the order. What of an order is read
 // first is copied to bank 1, so that there are two readers.
 // Model: sph_bt_order() in cmodel/build/order.c
 `timescale 1ns / 1ps
@@ -53,6 +54,7 @@ module rt_build_sort #(
     reg  [AB:0]   sum_q;                     // words of smaller digits
     reg  [AB:0]   read_q;                    // words read
     reg           moved_q;                   // a word was read in the last clock
+    reg           here_q, put_q;             // it is there, with its place
     reg  [AB-1:0] write_q;                   // of FILL: the next one
     reg           copy_q;                    // what was read in the last clock is copied
     reg  [AB-1:0] copied_q;
@@ -63,26 +65,25 @@ module rt_build_sort #(
     // ---- banks ----
     wire [KEY+AB-1:0] word0, word1;
     wire          from1   = pass_q[0];       // bank that the pass reads
-    wire [KEY+AB-1:0] word = from1 ? word1 : word0;
-    wire [KEY+AB-1:0] turned = {word[AB +: DB], word[KEY+AB-1:AB+DB], word[AB-1:0]};
-    wire [DB-1:0] digit   = word[AB +: DB];
-    wire [AB:0]   place;
-    wire          put     = moving && moved_q;
+    reg  [KEY+AB-1:0] word_q, turned_q;
+    wire [KEY+AB-1:0] turned = {word_q[AB +: DB], word_q[KEY+AB-1:AB+DB], word_q[AB-1:0]};
+    reg  [AB:0]   place_q;
     rt_slot_ram #(.WIDTH(KEY + AB), .SLOTS(1 << AB), .OLD(0)) u_bank0 (
         .clk(clk),
-        .wr_en_i(key_valid_i || put_i || (put && from1)),
-        .wr_addr_i(key_valid_i ? write_q : put_i ? put_place_i : place[AB-1:0]),
+        .wr_en_i(key_valid_i || put_i || (put_q && from1)),
+        .wr_addr_i(key_valid_i ? write_q : put_i ? put_place_i : place_q[AB-1:0]),
         .wr_data_i(key_valid_i ? {key_i, write_q}
-                               : {turned[AB +: KEY], put_i ? put_id_i : turned[AB-1:0]}),
+                               : {turned_q[AB +: KEY], put_i ? put_id_i : turned_q[AB-1:0]}),
         .rd_en_i(moving ? !from1 && more : a_en_i),
         .rd_addr_i(moving ? read_q[AB-1:0] : a_place_i),
         .rd_data_o(word0)
     );
     rt_slot_ram #(.WIDTH(KEY + AB), .SLOTS(1 << AB), .OLD(0)) u_bank1 (
         .clk(clk),
-        .wr_en_i((put && !from1) || copy_q || link_i),
-        .wr_addr_i(link_i ? link_from_i : copy_q ? copied_q : place[AB-1:0]),
-        .wr_data_i({turned[AB +: KEY], link_i ? link_to_i : turned[AB-1:0]}),
+        .wr_en_i((put_q && !from1) || copy_q || link_i),
+        .wr_addr_i(link_i ? link_from_i : copy_q ? copied_q : place_q[AB-1:0]),
+        .wr_data_i({turned_q[AB +: KEY],
+                    link_i ? link_to_i : copy_q ? word0[AB-1:0] : turned_q[AB-1:0]}),
         .rd_en_i(moving ? from1 && more : b_en_i),
         .rd_addr_i(moving ? read_q[AB-1:0] : b_place_i),
         .rd_data_o(word1)
@@ -93,22 +94,28 @@ module rt_build_sort #(
     // ---- counts of the next digit, places of this one ----
     wire          summing = state_q == SUMS;
     wire          sweep   = summing || state_q == CLEAR;
-    wire          counts  = key_valid_i || (put && pass_q != LAST);
     wire [DB-1:0] counted = key_valid_i ? key_i[DB-1:0] : turned[AB +: DB];
-    wire [AB:0]   count;
+    reg           counts_q;                  // a word is counted, by this digit
+    reg  [DB-1:0] counted_q;
+    reg  [AB:0]   count_q;
+    wire [AB:0]   count, place;
+    wire [AB:0]   raised  = count_q + 1'b1;
     rt_slot_file #(.WIDTH(AB + 1), .SLOTS(1 << DB)) u_counts (
         .clk(clk),
-        .wr_en_i(counts || sweep),
-        .wr_addr_i(sweep ? digit_q : counted),
-        .wr_data_i(sweep ? {(AB+1){1'b0}} : count + 1'b1),
+        .wr_en_i(counts_q || sweep),
+        .wr_addr_i(sweep ? digit_q : counted_q),
+        .wr_data_i(sweep ? {(AB+1){1'b0}} : raised),
         .rd_addr_i(sweep ? digit_q : counted),
         .rd_data_o(count)
     );
+    wire [DB-1:0] digit   = word_q[AB +: DB];
+    wire [DB-1:0] put_digit = turned_q[KEY+AB-1 -: DB];
+    wire [AB:0]   behind  = place_q + 1'b1;
     rt_slot_file #(.WIDTH(AB + 1), .SLOTS(1 << DB)) u_places (
         .clk(clk),
-        .wr_en_i(put || summing),
-        .wr_addr_i(summing ? digit_q : digit),
-        .wr_data_i(summing ? sum_q : place + 1'b1),
+        .wr_en_i(put_q || summing),
+        .wr_addr_i(summing ? digit_q : put_digit),
+        .wr_data_i(summing ? sum_q : behind),
         .rd_addr_i(digit),
         .rd_data_o(place)
     );
@@ -117,6 +124,14 @@ module rt_build_sort #(
         copy_q   <= a_en_i && a_copy_i;
         copied_q <= a_place_i;
         moved_q  <= moving && more;
+        here_q   <= moved_q;
+        word_q   <= from1 ? word1 : word0;
+        put_q    <= here_q;
+        turned_q <= turned;
+        place_q  <= put_q && put_digit == digit ? behind : place;
+        counts_q  <= key_valid_i || (here_q && pass_q != LAST);
+        counted_q <= counted;
+        count_q   <= counts_q && counted_q == counted ? raised : count;
         if (moving && more) read_q <= read_q + 1'b1;
         if (key_valid_i) write_q <= write_q + 1'b1;
         if (sweep) digit_q <= digit_q + 1'b1;
@@ -133,7 +148,7 @@ module rt_build_sort #(
                 state_q <= MOVE;
                 read_q  <= {(AB+1){1'b0}};
             end
-            MOVE: if (!more && !moved_q) begin
+            MOVE: if (!more && !moved_q && !here_q && !put_q) begin
                 pass_q  <= pass_q + 1'b1;
                 sum_q   <= {(AB+1){1'b0}};
                 state_q <= pass_q == LAST ? IDLE : SUMS;
@@ -149,10 +164,13 @@ module rt_build_sort #(
         if (rst) begin
             state_q <= IDLE;
             moved_q <= 1'b0;
+            here_q  <= 1'b0;
+            put_q   <= 1'b0;
+            counts_q <= 1'b0;
             copy_q  <= 1'b0;
             done_o  <= 1'b0;
         end
     end
-    wire unused = &{1'b0, place[AB]};
+    wire unused = &{1'b0, place_q[AB]};
 endmodule
 `default_nettype wire

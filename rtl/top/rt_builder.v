@@ -77,12 +77,13 @@ module rt_builder #(
         .accept_o(accept), .line_o(root), .go_o(go), .built_i(built), .errors_i(errors),
         .cut_o(cut), .idle_i(read_idle && write_idle), .stall_i(read_stall || write_stall)
     );
-    reg  [1:0]      mode_q;
+    reg  [1:0]      mode_q, rounds_q;
     reg  [`RT_ID_BITS-1:0] count_q;
     reg  [LB-1:0]   records_q, lines_q;
     reg  [ADDR-1:0] base_q;
     always @(posedge clk) if (accept) begin
         mode_q    <= settings_i[`RT_TOP_SET_BUILD_MODE_ORDER];
+        rounds_q  <= settings_i[`RT_TOP_SET_BUILD_MODE_ROUNDS];
         count_q   <= settings_i[`RT_TOP_SET_BUILD_COUNT_SPHERES];
         records_q <= settings_i[`RT_TOP_SET_BUILD_RECORDS_LINE];
         lines_q   <= settings_i[`RT_TOP_SET_BUILD_LINES_LINES];
@@ -96,14 +97,14 @@ module rt_builder #(
     wire [255:0]  line, wr_data;
     wire          read_slverr, read_decerr, write_slverr, write_decerr, busy;
     rt_build #(.W(W), .FW(FW), .COUNT(COUNT)) u_build (
-        .clk(clk), .rst(build_rst), .start_i(go), .mode_i(mode_q), .count_i(count_q),
-        .prim_base_i(records_q), .root_i(root), .lines_i(lines_q), .busy_o(busy),
+        .clk(clk), .rst(build_rst), .start_i(go), .mode_i(mode_q), .rounds_i(rounds_q),
+        .count_i(count_q), .prim_base_i(records_q), .root_i(root), .lines_i(lines_q), .busy_o(busy),
         .done_o(built), .error_o(errors),
         .written_o(written), .req_valid_o(req_valid), .req_ready_i(req_ready),
         .req_line_o(req_line), .rsp_valid_i(line_valid), .rsp_data_i(line),
         .rsp_error_i(line_error), .wr_valid_o(wr_valid), .wr_ready_i(wr_ready),
         .wr_line_o(wr_line), .wr_data_o(wr_data), .wr_idle_i(write_idle),
-        .wr_error_i(write_slverr || write_decerr), .rounds_i(2'd0)
+        .wr_error_i(write_slverr || write_decerr)
     );
     assign written_o = {{(32-LB){1'b0}}, written};
 

@@ -1,7 +1,7 @@
 /* tb_frames.cpp - frames of a moving scene, one behind the other on one rt_top, without a reset
  * SPDX-License-Identifier: Apache-2.0
  *
- * usage: tb_frames LATENCY STALL SEED FOLDER MACHINE.sph...
+ * usage: tb_frames LATENCY STALL SEED TREE FOLDER MACHINE.sph...
  *
  * FOLDER gets frames.tsv, the clocks of each frame, and what the frame store held: shown-0000.ppm,
  * of an rt_top with layers each of them too: rendering-0000.ppm, l1-0000.ppm, l2-0000.ppm.
@@ -11,7 +11,8 @@
  * machine alone.
  *
  * To an rt_top with BUILD it writes lines of records that moved, and has the tree built meanwhile;
- * the machines are of tree `hw`, and what their frames count must be the same, too.
+ * the machines are of that TREE, hw, hw1, hw2 or paper, and what their frames count must be the
+ * same, too.
  */
 #include "top_checks.h"
 
@@ -70,16 +71,20 @@ static void pictures(Checks &c, const Golden &golden, const std::string &folder,
 }
 
 /* Machines whose trees rt_top builds: where in memory a frame's records lie, in turn. Lines:
- *     0 tree | PRIM_BASE records, more | lines: tree | records | background, as in the file */
+ *     0 noise | PRIM_BASE records, more | lines: tree | tree | records | background, as in the file
+ */
 class Moving {
   public:
-    Moving(Checks &c, std::shared_ptr<Golden> first)
+    Moving(Checks &c, std::shared_ptr<Golden> first, const std::string &tree)
         : c_(c), n_(reg(*first, SPH_REG_N_PRIMS)), prims_(reg(*first, SPH_REG_PRIM_BASE)),
           lines_(first->machine.lines), all_(first), lies_{first, nullptr} {
         const bool tables = reg(*first, SPH_REG_BG_MODE) >= 2; /* spans, cones */
+        const uint32_t room = (uint32_t)sph_bt_lines(n_);
         ground_ = tables ? reg(*first, SPH_REG_BG_BASE) : lines_;
-        records_[0] = prims_, records_[1] = lines_ + prims_;
+        records_[0] = prims_, records_[1] = lines_ + 2 * room;
         grounds_[0] = ground_, grounds_[1] = records_[1] + n_;
+        trees_ = {n_, 0, {lines_, lines_ + room}, room, tree == "paper", 0};
+        if (tree.size() == 3) trees_.rounds = (unsigned)(tree[2] - '0');
     }
     /* Loads the first machine; its own tree is gone. */
     uint32_t first(uint32_t base) {
@@ -139,11 +144,12 @@ class Moving {
             sphaera_set(&c_.top.driver, i, set_values_[i] = value);
         }
         set_ = true;
-        const struct sphaera_trees trees = {n_, records_[at], {0, lines_}, prims_, 0};
-        c_.equals("trees", (uint64_t)sphaera_trees(&c_.top.driver, &trees), SPHAERA_OK);
+        trees_.records = records_[at];
+        c_.equals("trees", (uint64_t)sphaera_trees(&c_.top.driver, &trees_), SPHAERA_OK);
     }
     Checks &c_;
     uint32_t n_, prims_, lines_, ground_, records_[2], grounds_[2];
+    struct sphaera_trees trees_;
     uint64_t base_ = 0;
     std::shared_ptr<Golden> all_, lies_[2]; /* whose records lie there */
     bool set_ = false;
@@ -185,8 +191,8 @@ static void frame(Checks &c, const Golden &now, const Given &given, uint64_t clo
 }
 
 int main(int argc, char **argv) {
-    if (argc < 6) {
-        fprintf(stderr, "usage: tb_frames LATENCY STALL SEED FOLDER MACHINE.sph...\n");
+    if (argc < 7) {
+        fprintf(stderr, "usage: tb_frames LATENCY STALL SEED TREE FOLDER MACHINE.sph...\n");
         return 2;
     }
     auto c = std::make_unique<Checks>(test_number(argv[3], "argument 3", 0));
@@ -197,7 +203,7 @@ int main(int argc, char **argv) {
     manner.stall = (unsigned)test_number(argv[2], "argument", 0);
     t.write(SPHAERA_WATCHDOG, 0);
     sphaera_interrupts(&t.driver, SPHAERA_INTERRUPTS_FRAME_DONE);
-    const int first = 5; /* of the machines */
+    const int first = 6; /* of the machines */
     const std::string folder = argv[first - 1];
     FILE *table = fopen((folder + "/frames.tsv").c_str(), "w");
     if (!table) {
@@ -209,7 +215,7 @@ int main(int argc, char **argv) {
     bool fits = c->place(*now) && now->file.size() <= HALF[1];
     std::unique_ptr<Moving> moving;
     if (c->builds()) {
-        moving = std::make_unique<Moving>(*c, now);
+        moving = std::make_unique<Moving>(*c, now, argv[4]);
         fits = fits && moving->fits(STORE);
     }
     Given given = {}, next_given = {};

@@ -56,7 +56,8 @@ class Builds {
         uint32_t at = FROM;
         for (uint32_t &tree : places_.tree)
             tree = at += (uint32_t)t_.random.below(9), at += room;
-        job_ = {n, at + (uint32_t)t_.random.below(9), 0, room, mode, 0, &kept_};
+        const uint32_t rounds = t_.random.percent(50) ? 0 : (uint32_t)t_.random.below(4);
+        job_ = {n, at + (uint32_t)t_.random.below(9), 0, room, mode, rounds, &kept_};
         for (uint32_t id = 0; id < n; id++)
             drawn_record(line(job_.prim_base + id), id, &leaves[id], t_.random.next());
         const uint32_t one = (uint32_t)t_.random.below(n ? n : 1);
@@ -84,11 +85,9 @@ class Builds {
         t_.write(SPHAERA_SCENE_BASE, SCENE_B);
     }
     void settings(uint32_t n) {
-        const struct sphaera_trees trees = {n <= most_ ? n : 0,
-                                            job_.prim_base,
-                                            {places_.tree[0], places_.tree[1]},
-                                            job_.lines,
-                                            (unsigned)job_.mode};
+        const struct sphaera_trees trees = {
+            n <= most_ ? n : 0, job_.prim_base,      {places_.tree[0], places_.tree[1]},
+            job_.lines,         (unsigned)job_.mode, job_.rounds};
         c_.equals("trees", (uint64_t)sphaera_trees(&t_.driver, &trees), SPHAERA_OK);
         if (n > most_) t_.write(SPHAERA_BUILD_COUNT, n);
         t_.write(SPHAERA_SCENE_BASE, SCENE_A);
@@ -241,7 +240,7 @@ static void built_frames(Checks &c, const Golden &a) {
     TopHost &t = c.top;
     const uint32_t n = (uint32_t)a.machine.regs[SPH_REG_N_PRIMS], lines = a.machine.lines;
     const uint32_t from = (uint32_t)a.machine.regs[SPH_REG_PRIM_BASE];
-    struct sphaera_trees trees = {n, from, {lines, lines + 2 * n}, 2 * n, 0};
+    struct sphaera_trees trees = {n, from, {lines, lines + 2 * n}, 2 * n, 0, 0};
     const auto noise =
         [&](int place) { /* where the newest tree is not */
                          const bool newest = t.read(SPHAERA_STATUS) & SPHAERA_STATUS_TREE;
