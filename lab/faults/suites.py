@@ -111,10 +111,12 @@ class Tree:
     def run(self, suite, number):
         """Whether it passes; without a fault it is built first."""
         seen = {k: v for k, v in os.environ.items() if k not in ("MAKEFLAGS", "MFLAGS")}
-        stem = re.sub(r"\.c$", "", os.path.basename(suite))
-        command = ["sh", "tests/run.sh", suite if suite.endswith(".sh") else f"build/test/{stem}"]
-        if not number:
-            command = ["make", "--no-print-directory", "test", f"ONLY={stem}"]
+        name = os.path.basename(suite)
+        program = f"build/test/{name.removesuffix('.c')}"
+        command = ["sh", "tests/run.sh", suite if suite.endswith(".sh") else program]
+        if not number:      # by its whole name: a script may be called as a program is
+            command = ["sh", "-c", 'make -s test ONLY="$0"', name] if suite.endswith(".sh") else [
+                "sh", "-c", 'make -s "$1" && "$0" "$2" "$1"', *command[:1], program, command[1]]
         ran = subprocess.run(
             command, cwd=self.folder, check=False, text=True, errors="replace",
             env={**seen, "RT_FAULT": str(number), "JOBS": "1", "BUILD": "build",

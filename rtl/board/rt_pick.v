@@ -4,7 +4,7 @@
 // Lists stand in memory, where `sphaera load` writes them. The header, a word of 64 bits at LISTS:
 // MAGIC above the number of machines, 1..64. List k is at LISTS + (k + 1) * 2^11: items with the
 // offset in bits 43..32 and the value below; an offset of all ones ends it, and so does item 255. A
-// press without header, or while one is followed, does nothing. Of both at once the next one counts.
+// press without header, or while one is followed, does nothing; of both at once the next counts.
 `timescale 1ns / 1ps
 `default_nettype none
 `include "rt_board.vh"
