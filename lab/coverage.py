@@ -354,7 +354,8 @@ def main(build, *names, least=False, so_far=False):
     rows.append(["**all**", ran, *cells(total)])
     print(*rows[-1])
     if not broken or so_far:
-        place.place(page.PAGE, "make coverage", {"coverage": [
+        command = f"python3 -m lab coverage --so-far {build}" if broken else "make coverage"
+        place.place(page.PAGE, command, {"coverage": [
             ["module", "lines of its bench", "lines", "%", "branches", "%", "bits", "%"], *rows]})
     return int(bool(broken) and not so_far)
 
