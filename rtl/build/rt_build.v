@@ -277,7 +277,8 @@ module rt_build #(
     wire [2:0]    behind      = head_inner + {1'b0, records_line_q};
     always @(posedge clk) begin
         head_line_q  <= root_i + (empty ? {ADDR{1'b0}} : {{(ADDR-LB){1'b0}}, head_line});
-        base_q       <= root_i + (empty ? {{(ADDR-1){1'b0}}, 1'b1} : {{(ADDR-LB){1'b0}}, head_base});
+        base_q       <= root_i + (empty ? {{(ADDR-1){1'b0}}, 1'b1}
+                                        : {{(ADDR-LB){1'b0}}, head_base});
         records_at_q <= root_i + {{(ADDR-LB){1'b0}}, head_base} + {{(ADDR-3){1'b0}}, behind};
     end
     assign done_take  = !put_records_q && !put_node_q;
