@@ -3,9 +3,9 @@
 //   key, id --> bank 0 --> [1 the word | 2 place of its digit] --> bank 1 --> .. --> bank 0
 // A radix sort, low digits first: each pass moves a word a clock from one bank to the other, turns
 // its key by a digit, and counts the next digit of what it moves. Places of a pass are sums of the
-// counts of smaller digits. A count that is read in a clock is written in the next one; of two
-// words with the same digit, one behind the other, the second takes what is being written. n words
-// take DIGITS * (n + 68) clocks after their last one came in. Bank 1 then holds the list of a tree,
+// counts of smaller digits. A count that is read in a clock is written in the next one; if two
+// words with the same digit follow each other, the second takes what is being written. n words take
+// DIGITS * (n + 68) clocks after their last one came in. Bank 1 then holds the list of a tree,
 // which comes back as the order. What of an order is read first is copied to bank 1, so that there
 // are two readers.
 // Model: sph_bt_order() in cmodel/build/order.c

@@ -19,6 +19,7 @@
 #include <cmath>
 #include <memory>
 extern "C" {
+#include "build/build_tree.h"
 #include "tests/number.h"
 }
 
