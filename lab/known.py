@@ -29,7 +29,7 @@ WORDS = """/* word, what it adds to a core of profile standard: LUT4eq, MULT, DP
 EVENTS = """/* counter, nJ of an event in profile standard; what it is of, in cores with which tree */
 #define SPH_KNOWN_EVENTS \\
 """
-SCALES = """/* profile, what its events take of that; nJ of a clock for each LUT4eq; with triangles */
+SCALES = """/* profile, what its events take of that; nJ a clock and LUT4eq; with triangles */
 #define SPH_KNOWN_PROFILE_ENERGIES \\
 """
 ENERGY = """/* words of the cores whose energies these are */
@@ -129,7 +129,8 @@ def main(file):
     of = fit.model()
     events = [f'    {{SPH_COUNT_{counter.upper()}, {weight:.4f}, "{name}", "{tree or ""}"}}'
               for (name, (counter, tree)), weight in zip(fit.EVENTS.items(), of.weights) if weight]
-    energies = [f'    {{"{profile}", {scale:.3f}, {", ".join(f"{clock:.4g}" for clock in of.clocks[profile])}}}'
+    energies = ['    {' + ", ".join([f'"{profile}"', f"{scale:.3f}", *[
+        f"{clock:.4g}" for clock in of.clocks[profile]]]) + "}"
                 for profile, scale in sorted(of.scales.items())]
     measured = [f'    "{word}"' for word in sorted(of.words)]
     parts = ((TABLE, lines), (WORDS, costs), (EVENTS, events), (SCALES, energies),

@@ -84,7 +84,7 @@
     {SPH_COUNT_RAYS_PRIMARY, 2.9631, "primary ray", ""}, \
     {SPH_COUNT_RAYS_SHADOW, 6.5430, "shadow ray", ""}, \
     {SPH_COUNT_RAYS_REFLECTED, 16.8795, "reflected ray", ""}
-/* profile, what its events take of that; nJ of a clock for each LUT4eq; with triangles */
+/* profile, what its events take of that; nJ a clock and LUT4eq; with triangles */
 #define SPH_KNOWN_PROFILE_ENERGIES \
     {"draft", 0.947, 3.26e-05, 0}, \
     {"reference", 1.024, 0.0001323, 0}, \
