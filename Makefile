@@ -47,8 +47,8 @@ CHECK := $(strip $(foreach v,$(VARIABLES),$(if $(filter command \
              $(if $(filter-out BUILD,$v),environment),$(origin $v)),$v)))
 $(call as_text,$(CHECK))
 # All else that the environment has is text to whoever names it, and not what make makes of it.
-$(foreach v,$(filter-out $(VARIABLES) MAKE%,$(.VARIABLES)),$(if $(filter environment,$(origin $v)),\
-    $(eval $v := $$(value $v))))
+$(foreach v,$(filter-out $(filter-out BUILD,$(VARIABLES)) MAKE%,$(.VARIABLES)),\
+    $(if $(filter environment,$(origin $v)),$(eval $v := $$(value $v))))
 # That is Python's work; the system's own starts at once.
 front := $(or $(wildcard /usr/bin/python3),$(shell command -v python3))
 ifneq ($(front),)

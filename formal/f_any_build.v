@@ -31,24 +31,30 @@ module rt_build_sort #(parameter AB = 12) (
     input wire key_valid_i, input wire [3*`RT_BUILD_AXIS-1:0] key_i, input wire sort_i,
     input wire [AB:0] count_i, output wire done_o, input wire a_en_i, input wire a_copy_i,
     input wire [AB-1:0] a_place_i, output wire [AB-1:0] a_id_o, input wire b_en_i,
-    input wire [AB-1:0] b_place_i, output wire [AB-1:0] b_id_o
+    input wire [AB-1:0] b_place_i, output wire [AB-1:0] b_id_o, input wire link_i,
+    input wire [AB-1:0] link_from_i, input wire [AB-1:0] link_to_i, input wire put_i,
+    input wire [AB-1:0] put_place_i, input wire [AB-1:0] put_id_i
 );
     (* anyseq *) wire [2*AB+1:0] any;
     assign {ready_o, done_o, a_id_o, b_id_o} = any;
 endmodule
-module rt_build_chain #(parameter W = 16, parameter AB = 12, parameter SW = W + 4) (
+module rt_build_join #(parameter W = 16, parameter AB = 12, parameter SW = 12) (
     input wire clk, input wire rst, input wire start_i, input wire [AB:0] count_i,
-    output wire done_o, output wire [AB-1:0] root_o, output wire read_o,
-    output wire [AB-1:0] place_o, input wire [4*W-1:0] leaf_i, output wire pair_o,
-    output wire [AB-1:0] number_o, output wire [2*AB+SW-1:0] pair_data_o
+    input wire [1:0] rounds_i, output wire done_o, output wire [AB-1:0] root_o,
+    output wire read_o, output wire [AB-1:0] place_o, input wire [AB-1:0] id_i,
+    input wire [4*W-1:0] leaf_i, output wire pair_o, output wire [AB-1:0] number_o,
+    output wire [2*AB+SW-1:0] pair_data_o, output wire link_o, output wire [AB-1:0] link_from_o,
+    output wire [AB-1:0] link_to_o, output wire put_o, output wire [AB-1:0] put_place_o,
+    output wire [AB-1:0] put_id_o, input wire [AB-1:0] next_i
 );
-    (* anyseq *) wire [5*AB+SW+2:0] any;
-    assign {done_o, root_o, read_o, place_o, pair_o, number_o, pair_data_o} = any;
+    (* anyseq *) wire [9*AB+SW+4:0] any;
+    assign {done_o, root_o, read_o, place_o, pair_o, number_o, pair_data_o, link_o, link_from_o,
+            link_to_o, put_o, put_place_o, put_id_o} = any;
 endmodule
 module rt_build_nodes #(parameter AB = 12, parameter SW = 20, parameter LB = AB + 2) (
     input wire clk, input wire rst, input wire start_i, input wire [AB-1:0] last_i,
     input wire [AB-1:0] root_i, output wire idle_o, output wire [LB-1:0] next_o,
-    output wire read_o, output wire [AB-1:0] number_o, input wire [2*AB+SW-1:0] pair_i,
+    output wire read_o, output wire [AB-1:0] number_o, input wire [3*AB+SW-1:0] pair_i,
     output wire node_valid_o, input wire node_ready_i, output wire [2*LB+5:0] node_o,
     output wire child_valid_o, input wire child_ready_i, output wire [2*AB:0] child_o
 );

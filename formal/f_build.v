@@ -13,6 +13,7 @@ module f_build #(
     input wire         rst,
     input wire         start,
     input wire [1:0]   mode,
+    input wire [1:0]   rounds,
     input wire [`RT_ID_BITS-1:0] count,
     input wire [`RT_LINE_BITS-1:0] prim_base,
     input wire [`RT_LINE_BITS-1:0] root,
@@ -31,7 +32,7 @@ module f_build #(
     wire [`RT_LINE_BITS-1:0] written, req_line, wr_line;
     wire [255:0] wr_data;
     rt_build #(.W(8), .FW(6), .COUNT(COUNT)) u_dut (
-        .clk(clk), .rst(rst), .start_i(start), .mode_i(mode), .count_i(count),
+        .clk(clk), .rst(rst), .start_i(start), .mode_i(mode), .rounds_i(rounds), .count_i(count),
         .prim_base_i(prim_base), .root_i(root), .lines_i(lines), .busy_o(busy), .done_o(done),
         .error_o(error), .written_o(written), .req_valid_o(req_valid), .req_ready_i(req_ready),
         .req_line_o(req_line), .rsp_valid_i(rsp_valid), .rsp_data_i(rsp_data),
@@ -56,7 +57,7 @@ module f_build #(
     reg  [2:0]  taken_q;                     // children
     reg  [4:0]  error_q;
     reg  [`RT_ID_BITS:0] got_q;              // lines that came
-    reg  [2*`RT_ID_BITS+3*`RT_LINE_BITS+1:0] job_q;
+    reg  [`RT_ID_BITS+3*`RT_LINE_BITS+3:0] job_q;
     reg         start_q, rst_q;
     wire [2:0]  children = \u_dut.head_inner + \u_dut.head_leaves ;
     wire [2:0]  leaves   = taken_q > \u_dut.head_inner ? taken_q - \u_dut.head_inner : 3'd0;
@@ -67,7 +68,7 @@ module f_build #(
         error_q <= error;
         start_q <= begins;
         rst_q   <= rst;
-        job_q   <= {mode, count, prim_base, root, lines};
+        job_q   <= {mode, rounds, count, prim_base, root, lines};
         if (reads && rsp_valid) got_q <= got_q + 1'b1;
         if (begins) got_q <= 0;
         if (\u_dut.takes && !\u_dut.whole ) taken_q <= taken_q + 1'b1;
@@ -77,7 +78,7 @@ module f_build #(
     // ---- what is given ----
     always @* begin
         if (!old_q) assume (rst);
-        if (busy) assume (job_q == {mode, count, prim_base, root, lines});
+        if (busy) assume (job_q == {mode, rounds, count, prim_base, root, lines});
         assume (!(start && !idle));
         // as many lines come as were asked for
         if (rsp_valid && reads) assume (got_q < \u_dut.asked_q );

@@ -69,7 +69,7 @@ module f_control #(
     );
     (* hierconn *) wire        \u_rules.aw_q , \u_rules.w_q , \u_rules.ar_q ;
     (* hierconn *) wire        \u_rules.b_wait_q , \u_rules.r_wait_q ;
-    (* hierconn *) wire [20:0] \u_dut.errors_q ;
+    (* hierconn *) wire [21:0] \u_dut.errors_q ;
     (* hierconn *) wire [4:0]  \u_dut.happened_q ;
     (* hierconn *) wire [31:0] \u_dut.frames_q ;
     (* hierconn *) wire        \u_dut.aw_errors_q , \u_dut.aw_interrupts_q ;
@@ -129,11 +129,11 @@ module f_control #(
     wire        anew = order[`RT_TOP_CONTROL_SOFT_RESET];
     wire [11:0] to   = {aw_addr_q, 2'd0};
     wire [31:0] ones = data_q & keep;
-    wire [20:0] errors_after = errors |
-        (errors_m & ~(does && to == `RT_TOP_ERRORS ? ones[20:0] : 21'd0));
+    wire [21:0] errors_after = errors |
+        (errors_m & ~(does && to == `RT_TOP_ERRORS ? ones[21:0] : 22'd0));
     wire [4:0]  happened_after = {happened[3], |errors, happened[2:0]} |
         (happened_m & ~(does && to == `RT_TOP_INTERRUPTS ? ones[4:0] : 5'd0));
-    reg  [20:0] errors_m;
+    reg  [21:0] errors_m;
     reg  [4:0]  happened_m;
     reg  [31:0] frames_m, happened_was_q;
     reg  [7:0]  order_m;
@@ -159,11 +159,12 @@ module f_control #(
         was_q    <= value_q;
         did_q    <= does && !rst;
         read_q   <= reads && !rst;
-        errors_m   <= rst || anew ? 21'd0 : errors_after & {{5{BUILD != 0}}, 16'hffff};
+        errors_m   <= rst || anew ? 22'd0 : errors_after & {{6{BUILD != 0}}, 16'hffff};
         happened_m <= rst || anew ? 5'd0 : happened_after & {BUILD != 0, 4'hf};
         frames_m   <= rst || anew ? 32'd0 : frames_m + good;
-        order_m    <= does && to == `RT_TOP_CONTROL && !rst ? ones[7:0] : 8'd0;
-        happened_was_q  <= from == `RT_TOP_ERRORS ? {11'd0, errors_m}
+        order_m    <= does && to == `RT_TOP_CONTROL && !rst ? ones[7:0] & {BUILD != 0, 7'h7f}
+                                                            : 8'd0;
+        happened_was_q  <= from == `RT_TOP_ERRORS ? {10'd0, errors_m}
                            : from == `RT_TOP_FRAME_COUNT ? frames_m : {27'd0, happened_m};
         read_happened_q <= from == `RT_TOP_ERRORS || from == `RT_TOP_INTERRUPTS ||
                            from == `RT_TOP_FRAME_COUNT;

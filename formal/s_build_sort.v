@@ -23,7 +23,8 @@ module s_build_sort #(
         .clk(clk), .rst(1'b0), .clear_i(clear), .ready_o(ready), .key_valid_i(key_valid),
         .key_i(keys[KEY*at[AB-1:0] +: KEY]), .sort_i(sort), .count_i(n), .done_o(done),
         .a_en_i(a_en), .a_copy_i(1'b1), .a_place_i(a_at[AB-1:0]), .a_id_o(a_id), .b_en_i(b_en),
-        .b_place_i(b_at[AB-1:0]), .b_id_o(b_id)
+        .b_place_i(b_at[AB-1:0]), .b_id_o(b_id), .link_i(1'b0), .link_from_i({AB{1'b0}}),
+        .link_to_i({AB{1'b0}}), .put_i(1'b0), .put_place_i({AB{1'b0}}), .put_id_i({AB{1'b0}})
     );
     always #1 clk = !clk;
     function after;                          // a sphere behind another one

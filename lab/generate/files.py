@@ -9,8 +9,8 @@ import os
 from ..pages import verilog
 from .lines import told
 
-OF_SHELL = ("DATA", "BUFFERS", "VIDEO", "LAYERS", "ADDR", "FRAME_ID", "SCAN_ID", "AXI_CACHE",
-            "AXI_PROT", "AXI_QOS", "SCAN_QOS")      # parameters that rt_core does not have
+OF_SHELL = ("DATA", "BUFFERS", "VIDEO", "LAYERS", "BUILD", "ADDR", "FRAME_ID", "SCAN_ID",
+            "AXI_CACHE", "AXI_PROT", "AXI_QOS", "SCAN_QOS")     # parameters that rt_core lacks
 
 FILELIST = """\
 // sphaera.f - the core for iverilog -f and verilator -f, called in the repository's root

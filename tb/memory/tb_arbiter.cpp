@@ -302,12 +302,12 @@ void Bench::note() {
 bool Bench::reset() {
     const bool within =
         std::any_of(memory_.begin(), memory_.end(), [](const Fetch &f) { return f.beat > 0; });
-    resets_.value(top_->rsp_valid_o      ? 4
-                  : within || BEATS == 1 ? 3
-                  : !memory_.empty()     ? 2
-                  : top_->req_valid_i    ? 1
-                                         : 0);
-    if (BEATS == 1 && !memory_.empty()) resets_.value(2);
+    resets_.value(top_->rsp_valid_o   ? 4
+                  : within            ? 3
+                  : !memory_.empty()  ? 2
+                  : top_->req_valid_i ? 1
+                                      : 0);
+    if (BEATS == 1 && !memory_.empty()) resets_.value(3); /* nothing is within a line of one */
     top_->rst = 1;
     top_->req_valid_i = 0;
     top_->mem_rsp_valid_i = 0;
