@@ -26,7 +26,7 @@ TABLE = """/* profile, effects, pipes, LUT4eq, MULT18X18D, DP16KD, worst, median
 WORDS = """/* word, what it adds to a core of profile standard: LUT4eq, MULT, DP16KD; points */
 #define SPH_KNOWN_WORDS \\
 """
-EVENTS = """/* counter, nJ of an event in profile standard; what it is of, in cores with which tree */
+EVENTS = """/* counter, nJ of an event in profile standard; what it is of; the tree of its cores */
 #define SPH_KNOWN_EVENTS \\
 """
 SCALES = """/* profile, what its events take of that; nJ a clock and LUT4eq; with triangles */

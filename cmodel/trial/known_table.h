@@ -75,7 +75,7 @@
     {"sum", 1282, 2, 7, 0}, \
     {"texture", 10654, 16, 40, 1}, \
     {"turned", -243, 3, 1, 0}
-/* counter, nJ of an event in profile standard; what it is of, in cores with which tree */
+/* counter, nJ of an event in profile standard; what it is of; the tree of its cores */
 #define SPH_KNOWN_EVENTS \
     {SPH_COUNT_NODE_VISITS, 6.2682, "node visit", "spheres"}, \
     {SPH_COUNT_NODE_VISITS, 5.3236, "box visit", "boxes"}, \
