@@ -13,7 +13,7 @@ static const struct {
     const char *name, *tree; /* tree: of the cores that have it, "": all */
 } events[] = {SPH_KNOWN_EVENTS};
 enum { EVENTS = sizeof events / sizeof *events };
-_Static_assert(EVENTS < SPH_ENERGY_PARTS, "idle clocks are a part too");
+_Static_assert((int)EVENTS < (int)SPH_ENERGY_PARTS, "idle clocks are a part too");
 
 static const struct profile {
     const char *name;
