@@ -26,11 +26,14 @@ TABLE = """/* profile, effects, pipes, LUT4eq, MULT18X18D, DP16KD, worst, median
 WORDS = """/* word, what it adds to a core of profile standard: LUT4eq, MULT, DP16KD; points */
 #define SPH_KNOWN_WORDS \\
 """
-EVENTS = """/* counter, nJ of an event in profile standard; what it is of */
+EVENTS = """/* counter, nJ of an event in profile standard; what it is of; the tree of its cores */
 #define SPH_KNOWN_EVENTS \\
 """
-SCALES = """/* profile, what its events take of that; nJ of a clock for each LUT4eq of the core */
+SCALES = """/* profile, what its events take of that; nJ a clock and LUT4eq; with triangles */
 #define SPH_KNOWN_PROFILE_ENERGIES \\
+"""
+ENERGY = """/* words of the cores whose energies these are */
+#define SPH_KNOWN_ENERGY_WORDS \\
 """
 POINTS = {"reflect", "lights", "interpenetrate", "texture", "refract"}  # need hit points
 KEY = re.compile(r"(?P<profile>[a-z]+)-ecp5-(?P<effects>[a-z0-9+]+)-engines1"
@@ -80,7 +83,7 @@ def priced():
 
 def pairs():
     """(words, counts) of two cores that were synthesised together, in one profile."""
-    for table in ("effects.costs", "effects.left_out"):
+    for table in ("effects.costs", "effects.left_out", "accuracy.kinds"):
         found = cells((table,))
         for profile in sorted({of for of, _, _ in found}):
             cores = [(parts(core), list(map(int, counts)))
@@ -124,10 +127,12 @@ def main(file):
     costs = [f'    {{"{word}", {", ".join(map(str, counts))}, {int(word in POINTS)}}}'
              for word, counts in sorted(words().items())]
     of = fit.model()
-    events = [f'    {{SPH_COUNT_{counter.upper()}, {weight:.4f}, "{name}"}}'
-              for (name, counters), weight in zip(fit.EVENTS.items(), of.weights)
-              for counter in counters]
-    energies = [f'    {{"{profile}", {scale:.3f}, {of.clocks[profile]:.4g}}}'
+    events = [f'    {{SPH_COUNT_{counter.upper()}, {weight:.4f}, "{name}", "{tree or ""}"}}'
+              for (name, (counter, tree)), weight in zip(fit.EVENTS.items(), of.weights) if weight]
+    energies = ['    {' + ", ".join([f'"{profile}"', f"{scale:.3f}", *[
+        f"{clock:.4g}" for clock in of.clocks[profile]]]) + "}"
                 for profile, scale in sorted(of.scales.items())]
-    parts = ((TABLE, lines), (WORDS, costs), (EVENTS, events), (SCALES, energies))
+    measured = [f'    "{word}"' for word in sorted(of.words)]
+    parts = ((TABLE, lines), (WORDS, costs), (EVENTS, events), (SCALES, energies),
+             (ENERGY, measured))
     intact.write(file, HEAD + "".join(head + ", \\\n".join(rows) + "\n" for head, rows in parts))

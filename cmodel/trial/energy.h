@@ -11,7 +11,7 @@
 #include "trial/cycles.h"
 #include "trial/known.h"
 
-enum { SPH_ENERGY_PARTS = 8 };
+enum { SPH_ENERGY_PARTS = 11 };
 
 struct sph_energy {
     double pixel; /* nJ; 0: not known of such a core */
@@ -22,8 +22,8 @@ struct sph_energy {
     } part[SPH_ENERGY_PARTS];
 };
 
-/* Of a core with one pipe that walks trees of spheres and traces primary, shadow and reflected rays
- * alone; of others, and of profiles that nobody has measured, nothing. */
+/* Of a core with one pipe, all whose words some core has that was measured; of others, and of
+ * profiles that nobody has measured, nothing. */
 struct sph_energy sph_energy_expect(const struct sph_known_core *core,
                                     const struct sph_cycles *cycles);
 

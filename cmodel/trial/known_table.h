@@ -73,17 +73,30 @@
     {"specular", 1531, 2, 11, 0}, \
     {"spread", 13, 0, 2, 0}, \
     {"sum", 1282, 2, 7, 0}, \
-    {"texture", 10654, 16, 40, 1}
-/* counter, nJ of an event in profile standard; what it is of */
+    {"texture", 10654, 16, 40, 1}, \
+    {"turned", -243, 3, 1, 0}
+/* counter, nJ of an event in profile standard; what it is of; the tree of its cores */
 #define SPH_KNOWN_EVENTS \
-    {SPH_COUNT_NODE_VISITS, 5.8493, "node visit"}, \
-    {SPH_COUNT_LEAF_TESTS, 4.0111, "leaf test"}, \
-    {SPH_COUNT_RAYS_PRIMARY, 1.6524, "primary ray"}, \
-    {SPH_COUNT_RAYS_SHADOW, 4.0846, "shadow ray"}, \
-    {SPH_COUNT_RAYS_REFLECTED, 11.7257, "later ray"}, \
-    {SPH_COUNT_RAYS_REFRACTED, 11.7257, "later ray"}
-/* profile, what its events take of that; nJ of a clock for each LUT4eq of the core */
+    {SPH_COUNT_NODE_VISITS, 6.2682, "node visit", "spheres"}, \
+    {SPH_COUNT_NODE_VISITS, 5.3236, "box visit", "boxes"}, \
+    {SPH_COUNT_LEAF_TESTS, 2.0233, "sphere test", ""}, \
+    {SPH_COUNT_FACET_TESTS, 4.7946, "triangle test", ""}, \
+    {SPH_COUNT_RAYS_PRIMARY, 2.9631, "primary ray", ""}, \
+    {SPH_COUNT_RAYS_SHADOW, 6.5430, "shadow ray", ""}, \
+    {SPH_COUNT_RAYS_REFLECTED, 16.8795, "reflected ray", ""}
+/* profile, what its events take of that; nJ a clock and LUT4eq; with triangles */
 #define SPH_KNOWN_PROFILE_ENERGIES \
-    {"draft", 0.940, 0.0001975}, \
-    {"reference", 1.041, 0.0002305}, \
-    {"standard", 1.000, 0.0001929}
+    {"draft", 0.947, 3.26e-05, 0}, \
+    {"reference", 1.024, 0.0001323, 0}, \
+    {"standard", 1.000, 3.1e-05, 0.0001272}
+/* words of the cores whose energies these are */
+#define SPH_KNOWN_ENERGY_WORDS \
+    "boxes", \
+    "camera", \
+    "facets", \
+    "inside", \
+    "lights", \
+    "none", \
+    "reflect", \
+    "shadow", \
+    "turned"

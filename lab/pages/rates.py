@@ -93,10 +93,17 @@ def _cells(row):
     return known.cells().get((row["profile"], row["core"], 1), "--")
 
 
+def _energy(row, rate):
+    """nJ a pixel by the fit of silicon.md, with a ~."""
+    wanted = [row["scene"], rate.size, row["core"], row.get("profile", "standard")]
+    return next((cell for *of, cell in data.read("silicon.pixels")[1]
+                 if [word.strip("`") for word in of] == wanted), "-")
+
+
 COLUMNS = {
     "MHz": lambda row, rate: clocks.mhz(rate.core(row)),
     "MHz, worst to best": lambda row, rate: clocks.spread(rate.core(row)),
-    "energy": lambda row, rate: "-",    # nobody has measured any
+    "nJ a pixel": _energy,
     "LUT4eq": lambda row, rate: _cells(row)[0],
     "MULT": lambda row, rate: _cells(row)[1],
     "frames/s": _frames,
@@ -116,7 +123,10 @@ RATES = {
     "kinds": Rate("accuracy.kinds", ["what", "scene", "profile", "dB", "cycles a pixel"],
                   "cycles a pixel", "320x180",
                   lambda row: clocks.key(row["profile"], row["core"]),
-                  ["ms a frame", "MHz, worst to best", "energy", "LUT4eq", "MULT"]),
+                  ["ms a frame", "MHz, worst to best", "nJ a pixel", "LUT4eq", "MULT"]),
+    "effects": Rate("effects.costs", ["scene", "LUT4eq of all", "FF of all", "MULT",
+                                      "cycles of all", "model of all", "time"], "cycles", "160x90",
+                    lambda row: clocks.key("standard", row["core"]), ["nJ a pixel"]),
     "bart": Rate("texture_results.bart_clocks", ["scene", "pipes", "clocks a pixel"],
                  "clocks a pixel", "800x480", bart_core, [*OURS, CLOCK_FOR_CLOCK],
                  ("the paper's",)),

@@ -3,19 +3,26 @@
 """Energy of a frame is what a clock of the idle core takes, times its clocks, and what each event
 of EVENTS takes, times its count. The weights are those of the profile PROFILE that make the sum of
 squares of relative errors least, none below 0; another profile scales all of them alike. A clock
-costs in proportion to the LUT4eq of the core. Frames are rows of the table silicon.frames, of which
-those that are held out are in no fit."""
+costs in proportion to the LUT4eq of the core, a share of its own with triangles and without; 0: no
+frame of the fit tells. Frames are rows of the table silicon.frames, of which those that are held
+out are in no fit."""
 from ..pages import data
 
-EVENTS = {      # name: counters that are added up, of cmodel/machine/machine.def
-    "node visit": ("node_visits",),
-    "leaf test": ("leaf_tests",),
-    "primary ray": ("rays_primary",),
-    "shadow ray": ("rays_shadow",),
-    "later ray": ("rays_reflected", "rays_refracted"),
+SPHERES, TREES = "spheres", ("boxes", "bih")    # what a core walks: words of it, else spheres
+EVENTS = {      # name: its counter, of cmodel/machine/machine.def; the tree whose cores have it
+    "node visit": ("node_visits", SPHERES),
+    "box visit": ("node_visits", "boxes"),
+    "BIH step": ("node_visits", "bih"),
+    "sphere test": ("leaf_tests", None),
+    "triangle test": ("facet_tests", None),
+    "texel": ("texels", None),
+    "primary ray": ("rays_primary", None),
+    "shadow ray": ("rays_shadow", None),
+    "reflected ray": ("rays_reflected", None),
+    "refracted ray": ("rays_refracted", None),
 }
-PROFILE = "standard"
-WORDS = {"shadow", "reflect", "lights", "inside", "camera", "none"}     # of cores that it is for
+PROFILE, TRIANGLES = "standard", "facets"
+FREE = {"camera", "none"}   # words of cores that make no events of their own
 CLOCK, COUNTS = "idle clock", [f"{name}s" for name in EVENTS]
 
 
@@ -37,8 +44,8 @@ def solved(matrix, right):
 
 
 def least_squares(rows, values):
-    """Weights, none below 0."""
-    on = list(range(len(rows[0])))
+    """Weights, none below 0, of columns that are not empty."""
+    on = [i for i, column in enumerate(zip(*rows)) if any(column)]
     while True:
         matrix = [[sum(row[i] * row[j] for row in rows) for j in on] for i in on]
         found = solved(matrix, [sum(row[i] * value for row, value in zip(rows, values))
@@ -52,68 +59,79 @@ def least_squares(rows, values):
     return weights
 
 
-def counts(counters):
-    return [sum(counters[name] for name in names) for names in EVENTS.values()]
+def words(core):
+    """Of a list of effects, without their counts."""
+    return {word.rstrip("0123456789") for word in core.split("+")}
+
+
+def counts(counters, core):
+    """Of each of EVENTS, in a frame of the core."""
+    walked = next((tree for tree in TREES if tree in words(core)), SPHERES)
+    return [counters[name] if tree in (None, walked) else 0 for name, tree in EVENTS.values()]
 
 
 class Model:
-    """nJ: weights of EVENTS, {profile: their scale}, {profile: a clock for each LUT4eq}."""
+    """nJ: weights of EVENTS, {profile: their scale}, {profile: a clock for each LUT4eq of a core
+    without triangles, of one with them}; the words of cores that it is for."""
 
-    def __init__(self, weights, scales, clocks):
-        self.weights, self.scales, self.clocks = weights, scales, clocks
+    def __init__(self, weights, scales, clocks, known):
+        self.weights, self.scales, self.clocks, self.words = weights, scales, clocks, known
 
-    def parts(self, profile, lut4eq, cycles, events):
-        """{part: nJ} of so many clocks and events."""
-        found = {CLOCK: self.clocks[profile] * lut4eq * cycles}
+    def parts(self, frame):
+        """{part: nJ} of a frame's clocks and events; parts that it has none of are left out."""
+        profile, events = frame["profile"], [frame[name] for name in COUNTS]
+        clock = self.clocks[profile][TRIANGLES in words(frame["effects"])]
+        found = {CLOCK: clock * frame["LUT4eq"] * frame["cycles"]}
         return found | {name: self.scales[profile] * weight * count for name, weight, count in
-                        zip(EVENTS, self.weights, events)}
+                        zip(EVENTS, self.weights, events) if count}
 
 
-def fitted(frames, lut4eq):
-    """Of frames, dictionaries of numbers by the names of columns; lut4eq: {profile: LUT4eq}."""
+def known_words(frames):
+    return FREE.union(*(words(frame["effects"]) for frame in frames if frame["fit"] == "in"))
+
+
+def fitted(frames):
+    """Of frames, dictionaries of numbers by the names of columns."""
     def events(frame):
         return [frame[name] for name in COUNTS]
 
     def busy(frame):
         return frame["nJ"] - frame["idle pJ"] * frame["cycles"] / 1000
+
+    def clock(of, triangles):
+        each = [frame["idle pJ"] / frame["LUT4eq"] / 1000 for frame in of
+                if (TRIANGLES in words(frame["effects"])) == triangles]
+        return sum(each) / max(1, len(each))
     known = [frame for frame in frames if frame["fit"] == "in"]
     base = [frame for frame in known if frame["profile"] == PROFILE]
     weights = least_squares([[count / frame["nJ"] for count in events(frame)] for frame in base],
                             [busy(frame) / frame["nJ"] for frame in base])
     scales, clocks = {}, {}
-    for profile in {frame["profile"] for frame in known}:
+    for profile in dict.fromkeys(frame["profile"] for frame in known):
         own = [frame for frame in known if frame["profile"] == profile]
         sums = [(busy(frame), sum(map(float.__mul__, weights, events(frame)))) for frame in own]
         scales[profile] = 1.0 if profile == PROFILE else \
             sum(of / by for of, by in sums) / len(sums)
-        clocks[profile] = sum(frame["idle pJ"] for frame in own) / len(own) / 1000 / lut4eq[profile]
-    return Model(weights, scales, clocks)
+        clocks[profile] = clock(own, False), clock(own, True)
+    return Model(weights, scales, clocks, known_words(known))
 
 
-def frames_of(rows):
-    """Rows, the column names first, as dictionaries of numbers."""
+def frames_of(table):
+    """Column names and rows as dictionaries of numbers."""
     def number(word):
         try:
             return float(word)
         except ValueError:
             return word
-    head, *found = rows
-    return [dict(zip(head, map(number, row))) for row in found]
+    head, rows = table
+    return [dict(zip(head, map(number, row))) for row in rows]
 
 
 def model():
     """Of the tables that pages have."""
-    _, weights = data.read("silicon.events")
+    weights = dict(data.read("silicon.events")[1])
     _, profiles = data.read("silicon.profiles")
-    return Model([float(row[1]) for row in weights],
+    return Model([float(weights.get(name, 0)) for name in EVENTS],
                  {row[0]: float(row[1]) for row in profiles},
-                 {row[0]: float(row[2]) / 1e6 for row in profiles})
-
-
-def told(profile, core, lut4eq, counters):
-    """{part: nJ} of a frame; None if nothing is known of such a core."""
-    of = model()
-    words = {word.rstrip("0123456789") for word in core.split("+")}
-    if profile not in of.scales or not words <= WORDS or not lut4eq:
-        return None
-    return of.parts(profile, lut4eq, counters["cycles"], counts(counters))
+                 {row[0]: [float(cell) / 1e6 for cell in row[2:]] for row in profiles},
+                 known_words(frames_of(data.read("silicon.frames"))))

@@ -282,18 +282,25 @@ MOST = 0.10     # that a frame outside of the fit may be off
 
 def energies():
     """Weights of made frames are found again; frames of the page that no fit has seen are near."""
-    want, clock = [5.0, 1.0, 2.0, 8.0, 0.0], 3000.0
+    want, clock = [5.0, 7.0, 3.0, 1.0, 0.0, 4.0, 2.0, 8.0, 6.0, 9.0], 3000.0
+    drawn, lists = random.Random(1), ("shadow+lights1", "texture+boxes", "refract+facets+bih")
     frames = []
-    for at in range(12):
-        counts = [float((at * step) % 7 + 1) for step in (1, 2, 3, 4, 5)]
-        scale, profile = (0.5, "draft") if at > 9 else (1.0, "standard")
-        frames.append({"fit": "in", "profile": profile, "cycles": 10.0, "idle pJ": clock, "nJ":
-                       clock / 100 + scale * sum(map(float.__mul__, want, counts)),
+    for at in range(40):
+        effects = lists[at % len(lists)]
+        counts = [float(count) for count in fit.counts(
+            {name: drawn.randrange(1, 9) for name, _ in fit.EVENTS.values()}, effects)]
+        scale, profile = (0.5, "draft") if at > 36 else (1.0, "standard")
+        idle = clock * (1 + (fit.TRIANGLES in effects))
+        frames.append({"fit": "in", "effects": effects, "profile": profile, "cycles": 10.0,
+                       "LUT4eq": 10000.0, "idle pJ": idle, "nJ":
+                       idle / 100 + scale * sum(map(float.__mul__, want, counts)),
                        **dict(zip(fit.COUNTS, counts))})
-    found = fit.fitted(frames, {"draft": 10000, "standard": 10000})
+    found = fit.fitted(frames)
     if any(abs(a - b) > 1e-9 for a, b in zip(found.weights, want)) \
             or abs(found.scales["draft"] - 0.5) > 1e-9:
         wrong(f"{found.weights}, {found.scales}, not {want} and half of it")
+    if any(abs(sum(found.parts(frame).values()) - frame["nJ"]) > 1e-6 for frame in frames):
+        wrong("a made frame takes another energy than it was made of")
     head, rows = data.read("silicon.frames")
     for row in rows:
         frame = dict(zip(head, row))

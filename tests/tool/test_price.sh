@@ -113,7 +113,7 @@ none_of() { # scene
     priced "$1" --size 32x18 && asked "not any(row.get('energy') for row in p['rows'])" &&
         has '^energy: not known of such a core' "$TMP/p"
 }
-check "... of triangles none" none_of scenes/facets/room.nff
+check "... of smooth triangles none" none_of scenes/effects/effects.nff:smooth
 # ---- the core of `make sim` ----
 own() { # scene: the core of each row is that which build asks for
     priced "$1" --size 64x36 && for profile in draft standard fine reference; do
