@@ -72,6 +72,15 @@ class Build : public bench::Bench<Vrt_build> {
     /* A build that a reset cuts off, at any clock of it. */
     void cut() { run(1 + random.below(200 + 30 * (n + 1))); }
 
+    /* A reset between two builds: there is no tree to refit. */
+    void forget() {
+        idle();
+        reset(1);
+        sph_bt_forget(&kept);
+        job.mode = SPH_BUILD_REFIT;
+        run(0);
+    }
+
     /* One build; clocks until it is cut off by a reset, 0: it is not. Returns clocks. */
     uint64_t run(uint64_t cut) {
         std::vector<uint32_t> expected = memory;
@@ -268,10 +277,11 @@ int main(int argc, char **argv) {
     b.reset();
     while (b.more()) {
         b.draw(COUNT);
-        if (b.random.percent(20))
+        if (b.random.percent(40))
             b.cut();
         else
             b.run(0);
+        if (b.random.percent(5)) b.forget();
         b.cycle = 0; /* a build may take long */
     }
     if (b.all_vectors && !b.failed()) {
