@@ -39,7 +39,6 @@ name=$profile-$core-64
 [ "$LAYERS" = 0 ] || name=$name-layers
 trees=0
 if [ -n "$CHIP_BUILDS" ]; then
-    case $core in *facets*) echo "BUILD=hw: trees are built of spheres alone" >&2; exit 1 ;; esac
     spheres=$("$tool" info "$1" | sed -n 's/^ *[0-9]* N_PRIMS *\([0-9]*\) .*/\1/p')
     trees=16
     while [ "$trees" -lt "$spheres" ]; do trees=$((trees * 2)); done

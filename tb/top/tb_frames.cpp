@@ -11,8 +11,8 @@
  * machine alone.
  *
  * To an rt_top with BUILD it writes lines of records that moved, and has the tree built meanwhile;
- * the machines are of that TREE, hw, hw1, hw2 or paper, and what their frames count must be the
- * same, too.
+ * the machines are of that TREE, hw, hw1 or hw2, and what their frames count must be the same,
+ * too.
  */
 #include "top_checks.h"
 
@@ -84,7 +84,7 @@ class Moving {
         ground_ = tables ? reg(*first, SPH_REG_BG_BASE) : lines_;
         records_[0] = prims_, records_[1] = lines_ + 2 * room;
         grounds_[0] = ground_, grounds_[1] = records_[1] + n_;
-        trees_ = {n_, 0, {lines_, lines_ + room}, room, tree == "paper", 0};
+        trees_ = {n_, 0, {lines_, lines_ + room}, room, 0, 0};
         if (tree.size() == 3) trees_.rounds = (unsigned)(tree[2] - '0');
     }
     /* Loads the first machine; its own tree is gone. */

@@ -64,7 +64,7 @@ check "records that moved were written" told
 check "as the schema has it" python3 -W ignore -m jsonschema -i "$run/report.json" \
     docs/reference/report.schema.json
 check "background of each frame beside it" simulated SCENE=moving/orbit BACKGROUND=spans
-for tree in hw1 hw2 paper; do
+for tree in hw1 hw2; do
     check "frames of tree $tree" simulated SCENE=moving/orbit TREE=$tree
 done
 refused() { # what is said, words of make
@@ -76,9 +76,7 @@ refused() { # what is said, words of make
 check "refused: without rt_top" refused 'BUILD=hw: with TOP=1 alone' SCENE=paper5 BUILD=hw
 check "refused: another builder" refused 'BUILD=hv: is none of host, hw' SCENE=paper5 TOP=1 BUILD=hv
 check "refused: triangles" refused 'tree hw is of spheres' SCENE=facets/room TOP=1 BUILD=hw
-check "refused: triangles of another tree" refused 'trees are built of spheres alone' \
-    SCENE=facets/room TOP=1 BUILD=hw TREE=paper
-check "refused: a tree that it does not build" refused 'with TREE=hw, hw1, hw2 or paper' \
+check "refused: a tree that it does not build" refused 'with TREE=hw, hw1 or hw2' \
     SCENE=paper5 TOP=1 BUILD=hw TREE=balanced
 check "refused: more than it may be built for" refused '70000 spheres, of 65536 at most' \
     SCENE=random:70000 TOP=1 BUILD=hw PROFILE=reference
