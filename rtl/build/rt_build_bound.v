@@ -90,12 +90,13 @@ module rt_build_bound #(
     reg  [5:1]    boxed_q;                   // 5 to 9: the run's
     reg  [4*W-1:0] leaf_q;
     reg  signed [XW-1:0] plus_q, minus_q, half_q, long_q; // of x and y; 3/2, 7/4 of the radius
-    reg  signed [XW-1:0] axis2_q [0:2];
+    reg  [3*XW-1:0] axis2_q;
+    wire signed [XW-1:0] z2 = axis2_q[2*XW +: XW];
     reg  signed [XW-1:0] radius2_q, radius_q;
     wire signed [XW-1:0] axis1 [0:2];
     wire signed [XW-1:0] radius1 = {3'd0, leaf_q[3*W +: W]};
     reg  signed [XW+2:0] near_q, apart_q, turn_q, away_q; // sums of sums along diagonals
-    reg  signed [XW-1:0] along_q [0:6];
+    reg  [7*XW-1:0] along_q;
     wire signed [XW+2:0] sums [0:6];         // of both ends
     wire [CB-1:0] middle;
     wire [6*BW-1:0] box;                     // high and low ends, of each axis
@@ -119,15 +120,16 @@ module rt_build_bound #(
         for (i = 0; i < 3; i = i + 1) begin : g_axis
             assign axis1[i] = {{3{leaf_q[W*i + W - 1]}}, leaf_q[W*i +: W]};
             always @(posedge clk) begin
-                axis2_q[i] <= axis1[i];
-                along_q[i] <= axis2_q[i];
+                axis2_q[XW*i +: XW] <= axis1[i];
+                along_q[XW*i +: XW] <= axis2_q[XW*i +: XW];
             end
         end
         for (i = 0; i < 7; i = i + 1) begin : g_ends
             localparam EW = i < 3 ? BW : XW; // bits of an end
             wire signed [XW-1:0] radius = i < 3 ? radius_q : long_q;
-            wire signed [XW-1:0] low  = along_q[i] - radius;
-            wire signed [XW-1:0] high = along_q[i] + radius;
+            wire signed [XW-1:0] along = along_q[XW*i +: XW];
+            wire signed [XW-1:0] low  = along - radius;
+            wire signed [XW-1:0] high = along + radius;
             reg  signed [EW-1:0] from_q, to_q, lo_q, hi_q;
             wire signed [EW-1:0] lo_end, hi_end;
             reg  signed [EW:0] sum_q;
@@ -190,10 +192,10 @@ module rt_build_bound #(
         leaf_q   <= a_leaf_i;
         plus_q   <= axis1[0] + axis1[1];
         minus_q  <= axis1[0] - axis1[1];
-        along_q[3] <= plus_q + axis2_q[2];
-        along_q[4] <= plus_q - axis2_q[2];
-        along_q[5] <= minus_q + axis2_q[2];
-        along_q[6] <= axis2_q[2] - minus_q;
+        along_q[3*XW +: XW] <= plus_q + z2;
+        along_q[4*XW +: XW] <= plus_q - z2;
+        along_q[5*XW +: XW] <= minus_q + z2;
+        along_q[6*XW +: XW] <= z2 - minus_q;
         radius2_q <= radius1;
         half_q   <= radius1 + (radius1 >>> 1);
         radius_q <= radius2_q;
