@@ -168,7 +168,7 @@ module rt_build_join #(
             reg  [1:0]    two_q;             // both are clusters
             always @(posedge clk) begin
                 edges_q <= edges(around(box_q[0 +: 6*SB], box_q[6*SB*k +: 6*SB]));
-                apart_q <= even_q ? {SB{1'b0}} : longest(edges_q);
+                apart_q <= even_q || !two_q[0] ? {SB{1'b0}} : longest(edges_q);
                 two_q   <= {two_q[0], here_q[0] && here_q[k]};
             end
             assign met[k] = {!two_q[1], apart_q, K};
