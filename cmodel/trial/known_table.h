@@ -33,8 +33,8 @@
     {"standard", "shadow+lights2", 1, 14914, 59, 80, 0, 0, 0, 0, 0, 0}, \
     {"standard", "shadow+reflect2+lights1", 1, 16622, 64, 93, 0, 0, 0, 0, 0, 0}, \
     {"standard", "shadow+reflect2+lights1+inside", 1, 16846, 64, 94, 0, 0, 0, 0, 0, 0}, \
-    {"standard", "shadow+reflect2+lights1+inside+facets+refract+specular+sum", 1, 25471, 91, 122, 0, 0, 0, 0, 0, 0}, \
-    {"standard", "shadow+reflect2+lights1+inside+facets+texture+spread", 1, 28509, 98, 136, 0, 0, 0, 0, 0, 0}, \
+    {"standard", "shadow+reflect2+lights1+inside+facets+refract+specular+sum", 1, 25471, 91, 122, 116.5, 116.5, 116.5, 1, 0, 0}, \
+    {"standard", "shadow+reflect2+lights1+inside+facets+texture+spread", 1, 28509, 98, 136, 109.8, 109.8, 109.8, 1, 0, 0}, \
     {"standard", "shadow+reflect2+lights1+inside+refract+specular+sum", 1, 21287, 71, 122, 0, 0, 0, 0, 0, 0}, \
     {"standard", "shadow+reflect2+lights2", 1, 16656, 64, 94, 0, 0, 0, 0, 0, 0}, \
     {"standard", "shadow+reflect2+lights2+facets", 1, 21062, 84, 95, 0, 0, 0, 0, 0, 0}, \
@@ -42,7 +42,7 @@
     {"standard", "shadow+reflect2+lights2+inside+facets", 1, 21286, 84, 95, 0, 0, 0, 0, 0, 0}, \
     {"standard", "shadow+reflect2+lights2+inside+facets+refract+specular+sum", 1, 26303, 91, 123, 0, 0, 0, 0, 0, 0}, \
     {"standard", "shadow+reflect2+lights2+inside+facets+texture+spread", 1, 31928, 100, 137, 0, 0, 0, 0, 0, 0}, \
-    {"standard", "shadow+reflect2+lights2+inside+facets+turned+boxes", 1, 28623, 78, 100, 0, 0, 0, 0, 0, 0}, \
+    {"standard", "shadow+reflect2+lights2+inside+facets+turned+boxes", 1, 28623, 78, 100, 99.2, 99.2, 99.2, 1, 0, 0}, \
     {"standard", "shadow+reflect2+lights3+inside", 1, 16176, 64, 95, 122.7, 127.5, 133.5, 5, 0, 0}, \
     {"standard", "shadow+reflect2+lights3+inside+bih", 1, 0, 0, 0, 77.2, 77.2, 77.2, 1, 0, 0}, \
     {"standard", "shadow+reflect2+lights3+inside+facets", 1, 0, 0, 0, 105.3, 105.3, 105.3, 1, 0, 0}, \
