@@ -74,9 +74,11 @@ int sph_make_random(const struct sph_generate_options *options, struct sph_scene
                     struct sph_error *err) {
     struct sph_rng rng = {options->seed};
     const double half = 50; /* of the cube's edge */
+    char kind[16];          /* random, or swarm */
+    snprintf(kind, sizeof kind, "%.15s", scene->name);
     if (options->n > SPH_MAX_SPHERES)
-        return sph_fail(err, "random: n %u is more than %u", options->n, SPH_MAX_SPHERES);
-    snprintf(scene->name, sizeof scene->name, "random%u_seed%llu", options->n,
+        return sph_fail(err, "%s: n %u is more than %u", kind, options->n, SPH_MAX_SPHERES);
+    snprintf(scene->name, sizeof scene->name, "%s%u_seed%llu", kind, options->n,
              (unsigned long long)options->seed);
     sph_make_camera(scene, sph_vec_of(110, 80, 140), sph_vec_of(0, -4, 0), sph_vec_of(0, 1, 0), 40);
     for (int i = 0; i < 3; i++) {
