@@ -43,11 +43,12 @@ VARIABLES := $(shell sed -n 's/^\#\# \([A-Z_][A-Z_]*\) .*/\1/p' make/variables.m
 values = $(foreach v,$(1),$v=$(call quoted,$($v)))
 # What the command line or the environment has is checked, and whether goals have the programs
 # that they need. In the environment BUILD is the folder of scripts and tests.
+SURROUND := $(filter-out BUILD,$(VARIABLES))
 CHECK := $(strip $(foreach v,$(VARIABLES),$(if $(filter command \
-             $(if $(filter-out BUILD,$v),environment),$(origin $v)),$v)))
+             $(if $(filter $v,$(SURROUND)),environment),$(origin $v)),$v)))
 $(call as_text,$(CHECK))
 # All else that the environment has is text to whoever names it, and not what make makes of it.
-$(foreach v,$(filter-out $(filter-out BUILD,$(VARIABLES)) MAKE%,$(.VARIABLES)),\
+$(foreach v,$(filter-out $(SURROUND) MAKE%,$(.VARIABLES)),\
     $(if $(filter environment,$(origin $v)),$(eval $v := $$(value $v))))
 # That is Python's work; the system's own starts at once.
 front := $(or $(wildcard /usr/bin/python3),$(shell command -v python3))

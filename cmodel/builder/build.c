@@ -75,6 +75,21 @@ static int check_effects(const struct sph_scene *scene, const struct sph_build_o
     return why ? sph_fail(err, "%s: %s", scene->path, why) : 0;
 }
 
+const char *const sph_build_trees[] = {"paper", "balanced", "reinserted", "paper-grown",
+                                       "hw",    "hw1",      "hw2",        NULL};
+
+void sph_build_set_tree(struct sph_build_options *o, int place) {
+    static const struct {
+        int tree, grows;
+        uint32_t rounds;
+    } trees[] = {{SPH_TREE_PAPER, 0, 0}, {SPH_TREE_BALANCED, 0, 0}, {SPH_TREE_REINSERTED, 0, 0},
+                 {SPH_TREE_PAPER, 1, 0}, {SPH_TREE_HW, 0, 0},       {SPH_TREE_HW, 0, 1},
+                 {SPH_TREE_HW, 0, 2}};
+    o->tree = trees[place].tree;
+    o->paper_grows = trees[place].grows;
+    o->hw_rounds = trees[place].rounds;
+}
+
 static int check(const struct sph_scene *scene, const struct sph_build_options *o,
                  struct sph_error *err) {
     if (!o->widths && (o->profile < 0 || o->profile >= SPH_PROFILES))

@@ -94,6 +94,12 @@ enum { SPH_BUILD_SHARED = 1000 }; /* primitives from which on threads share a bu
  */
 enum { SPH_BIH_PRIMS = 4 };
 
+/* Trees of four children a node by the names that people give them, NULL behind the last. */
+extern const char *const sph_build_trees[];
+
+/* Asks for one of them, by its place in that list: tree, paper_grows, hw_rounds. */
+void sph_build_set_tree(struct sph_build_options *o, int place);
+
 /* Whether options make the picture another one on purpose, not by fewer bits or effects. */
 static inline int sph_build_approximate(const struct sph_build_options *o) {
     return o->least_weight || o->coarse || o->lod_literal;

@@ -77,21 +77,17 @@ static int accel(const sphaera_build_options *from, struct sph_build_options *o,
                  struct sph_error *err) {
     static const char *const accels[] = {"auto", "bvh4", "bih", "brute", "box4", NULL};
     static const int kinds[] = {SPH_TREE_AUTO, 0, SPH_TREE_BIH, SPH_TREE_BRUTE, SPH_TREE_BOX4};
-    static const char *const trees[] = {"paper", "balanced", "reinserted", "paper-grown",
-                                        "hw",    "hw1",      "hw2",        NULL};
-    static const int numbers[] = {SPH_TREE_PAPER, SPH_TREE_BALANCED, SPH_TREE_REINSERTED,
-                                  SPH_TREE_PAPER, SPH_TREE_HW,       SPH_TREE_HW,
-                                  SPH_TREE_HW};
     static const char *const ways[] = {"full", "listing", NULL};
     static const char *const axes[] = {"auto", "camera", "scene", NULL};
-    enum { AUTO, BVH4, BIH, REINSERTED = 2, GROWN = 3, HW = 4 };
+    enum { AUTO, BVH4, BIH };
     int a = sph_api_choice("accel", from->accel, accels, err);
-    int t = sph_api_choice("tree", from->tree, trees, err);
+    int t = sph_api_choice("tree", from->tree, sph_build_trees, err);
     int b = sph_api_choice("bih", from->bih, ways, err);
     int x = sph_api_choice("axes", from->axes, axes, err);
     if (a < 0 || t < 0 || b < 0 || x < 0) return -1;
-    if (a == AUTO && t != REINSERTED) a = BVH4;
-    if (a != BVH4 && t != REINSERTED)
+    sph_build_set_tree(o, t);
+    if (a == AUTO && o->tree != SPH_TREE_REINSERTED) a = BVH4;
+    if (a != BVH4 && o->tree != SPH_TREE_REINSERTED)
         return sph_fail(err, "tree is '%s', which is for accel 'bvh4', not '%s'", from->tree,
                         accels[a]);
     const char *only = b                      ? "bih"
@@ -107,9 +103,7 @@ static int accel(const sphaera_build_options *from, struct sph_build_options *o,
         sph_api_real("bih_fit", from->bih_fit, 1, 100, err))
         return -1;
     o->bih_fit = from->bih_fit == INFINITY ? UINT32_MAX : (uint32_t)lround(100 * from->bih_fit);
-    o->paper_grows = t == GROWN;
-    o->hw_rounds = t > HW ? (uint32_t)(t - HW) : 0;
-    o->tree = a == BVH4 ? numbers[t] : kinds[a];
+    if (a != BVH4) o->tree = kinds[a];
     o->bih = SPH_BIH_FULL + b;
     o->axes = SPH_AXES_AUTO + x;
     o->max_prims = from->max_prims;

@@ -37,8 +37,7 @@ static const struct argp_option options[] = {
     {"tree", KEY_TREE, "NAME", 0,
      "bvh4: reinserted (default), balanced or paper; paper-grown is that without its rule that no "
      "node is larger than the sphere around all; hw, as hardware builds it, of spheres; hw1, hw2 "
-     "with rounds of joining that "
-     "follow the first",
+     "with rounds of joining that follow the first",
      1},
     {"refit", KEY_REFIT, "HOW", 0,
      "--frames: every tree is built (off, default), or refitted from that of the frame before "
@@ -127,11 +126,6 @@ static void check(const struct argp_state *state, const struct tool_source *s) {
 }
 
 static error_t parse(int key, char *arg, struct argp_state *state) {
-    static const char *const trees[] = {"paper", "balanced", "reinserted", "paper-grown",
-                                        "hw",    "hw1",      "hw2",        NULL};
-    static const int numbers[] = {SPH_TREE_PAPER, SPH_TREE_BALANCED, SPH_TREE_REINSERTED,
-                                  SPH_TREE_PAPER, SPH_TREE_HW,       SPH_TREE_HW,
-                                  SPH_TREE_HW};
     static const char *const hows[] = {"nearest", "first", NULL};
     struct tool_source *s = state->input;
     struct sph_error err = {{0}};
@@ -153,10 +147,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
         parse_error_bound(state, arg, &s->bound);
         break;
     case KEY_TREE:
-        s->build.tree = numbers[tool_choice(state, "--tree", arg, trees)];
-        s->build.hw_rounds =
-            s->build.tree == SPH_TREE_HW ? (uint32_t)(arg[2] ? arg[2] - '0' : 0) : 0;
-        s->build.paper_grows = !strcmp(arg, "paper-grown");
+        sph_build_set_tree(&s->build, tool_choice(state, "--tree", arg, sph_build_trees));
         s->tree_given = 1;
         break;
     case KEY_REFIT:
